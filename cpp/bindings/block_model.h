@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "arrays.h"
+
+#include "nmgs/blocking/block_model.h"
+
+#include <pybind11/stl.h>
+
+namespace nmgs::bindings {
+
+// nodes (NE, 8 | 20, 3), divisions (NE, 2 | 3), spacing None or a sequence of NE * (2 | 3) arrays
+// of positions, each empty or None where uniform. Raises ValueError naming the argument.
+inline BlockModel block_model_of(const DoubleArray &nodes, const IntArray &divisions,
+                                 const py::object &spacing) {
+    if (nodes.ndim() != 3 || nodes.shape(2) != 3 || (nodes.shape(1) != 8 && nodes.shape(1) != 20)) {
+        throw py::value_error("nodes: expected shape (NE, 8, 3) or (NE, 20, 3), got " +
+                              shape_text(nodes));
+    }
+    BlockModel model;
+    model.dimension = nodes.shape(1) == 8 ? 2 : 3;
+    if (divisions.ndim() != 2 || divisions.shape(1) != model.dimension ||
+        divisions.shape(0) != nodes.shape(0)) {
+        throw py::value_error("divisions: expected shape (" + std::to_string(nodes.shape(0)) +
+                              ", " + std::to_string(model.dimension) + "), got " +
+                              shape_text(divisions));
+    }
+    const auto points = points_of(nodes, "nodes");
+    model.nodes.assign(points.begin(), points.end());
+    const auto view = divisions.unchecked<2>();
+    for (py::ssize_t e = 0; e < view.shape(0); ++e) {
+        model.divisions.push_back({view(e, 0), view(e, 1), model.dimension == 3 ? view(e, 2) : 0});
+    }
+    if (!spacing.is_none()) {
+        for (const py::handle item : spacing) {
+            model.spacing.push_back(item.is_none() ? std::vector<double>()
+                                                   : item.cast<std::vector<double>>());
+        }
+    }
+    return model;
+}
+
+} // namespace nmgs::bindings

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One function a room of cpp/nmgs, each in core_<room>.cpp.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace nmgs::bindings {
+
+void bind_blocking(pybind11::module_ &module);
+
+} // namespace nmgs::bindings

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs/blocking/generate.h"
+
+#include "nmgs/element/hexa20.h"
+#include "nmgs/element/quad8.h"
+#include "nmgs/support/error.h"
+#include "nmgs/support/memory.h"
+#include "nmgs/support/parallel.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace nmgs {
+namespace {
+
+// Lagrange's quadratic weights of the points at -1, 0, 1: exactly 1 and 0 at these points, so that
+// block corners and mid-sides come out to the bit.
+struct Weights {
+    double low, middle, high;
+};
+Weights weights(double t) {
+    return {0.5 * t * (t - 1), 1 - t * t, 0.5 * t * (t + 1)};
+}
+
+struct BlockTables {
+    std::vector<Weights> xi;
+    std::vector<double> eta, zeta;
+};
+
+BlockTables tables(const BlockModel &model, std::size_t block) {
+    BlockTables t;
+    for (const double xi : natural_positions(model, block, 0)) {
+        t.xi.push_back(weights(xi));
+    }
+    t.eta = natural_positions(model, block, 1);
+    if (model.dimension == 3) {
+        t.zeta = natural_positions(model, block, 2);
+    }
+    return t;
+}
+
+// A layer zeta = const of a 20-node block is an 8-node patch: the serendipity space of the block,
+// restricted to the layer, is the patch's.
+std::array<Vec3, 8> layer_patch(std::span<const Vec3> nodes, double zeta) {
+    std::array<Vec3, 8> patch{};
+    for (std::size_t i = 0; i < 8; ++i) {
+        patch[i] = hexa20::map(nodes.first<20>(), quad8::natural[i][0], quad8::natural[i][1], zeta);
+    }
+    return patch;
+}
+
+// Rows of one layer, in chunks small enough to balance the threads and to poll often.
+struct Task {
+    std::size_t block;
+    std::int32_t k, first_row, last_row;
+};
+
+// extra: 1 for rows of nodes, 0 for rows of cells.
+std::vector<Task> make_tasks(const BlockModel &model, int extra) {
+    constexpr std::int32_t target = 1 << 14;
+    std::vector<Task> tasks;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        const auto g = model.divisions[b];
+        const std::int32_t rows = g[1] + extra;
+        const std::int32_t layers = model.dimension == 3 ? g[2] + extra : 1;
+        const std::int32_t step = std::max(1, target / (g[0] + 1));
+        for (std::int32_t k = 0; k < layers; ++k) {
+            for (std::int32_t j = 0; j < rows; j += step) {
+                tasks.push_back({b, k, j, std::min(rows, j + step)});
+            }
+        }
+    }
+    return tasks;
+}
+
+void fill_rows(const BlockModel &model, const Lattice &lattice, const BlockTables &table,
+               const Task &task, std::span<Vec3> points) {
+    const auto nodes = model.element(task.block);
+    std::array<Vec3, 8> patch{};
+    if (model.dimension == 3) {
+        patch = layer_patch(nodes, table.zeta[static_cast<std::size_t>(task.k)]);
+    } else {
+        std::copy(nodes.begin(), nodes.end(), patch.begin());
+    }
+    const auto n = table.xi.size() - 1;
+    for (std::int32_t j = task.first_row; j < task.last_row; ++j) {
+        const double eta = table.eta[static_cast<std::size_t>(j)];
+        const Vec3 low = quad8::map(patch, -1, eta);
+        const Vec3 middle = quad8::map(patch, 0, eta);
+        const Vec3 high = quad8::map(patch, 1, eta);
+        const auto pieces = lattice.row_pieces(task.block, j, task.k);
+        Vec3 *out = points.data() + pieces.start;
+        if (pieces.low) {
+            *out++ = low;
+        }
+        if (pieces.inside) {
+            for (std::size_t i = 1; i < n; ++i) {
+                const Weights w = table.xi[i];
+                out->x = w.low * low.x + w.middle * middle.x + w.high * high.x;
+                out->y = w.low * low.y + w.middle * middle.y + w.high * high.y;
+                out->z = w.low * low.z + w.middle * middle.z + w.high * high.z;
+                ++out;
+            }
+        }
+        if (pieces.high) {
+            *out = high;
+        }
+    }
+}
+
+void fill_hexahedra(const Lattice &lattice, const Task &task, std::span<std::int32_t> cells) {
+    const auto g = lattice.divisions(task.block);
+    const auto n = static_cast<std::size_t>(g[0]);
+    std::vector<std::int32_t> buffer(4 * (n + 1));
+    std::array<std::int32_t *, 4> r{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        r[i] = buffer.data() + i * (n + 1);
+    }
+    const auto load = [&](std::int32_t *ids, std::int32_t j, std::int32_t k) {
+        lattice.row(task.block, j, k, {ids, n + 1});
+    };
+    load(r[0], task.first_row, task.k);
+    load(r[2], task.first_row, task.k + 1);
+    for (std::int32_t j = task.first_row; j < task.last_row; ++j) {
+        load(r[1], j + 1, task.k);
+        load(r[3], j + 1, task.k + 1);
+        const std::int64_t first =
+            lattice.first_cell(task.block) +
+            (std::int64_t{task.k} * g[1] + j) * static_cast<std::int64_t>(g[0]);
+        std::int32_t *out = cells.data() + 8 * first;
+        const std::int32_t *a = r[0];
+        const std::int32_t *b = r[1];
+        const std::int32_t *c = r[2];
+        const std::int32_t *d = r[3];
+        for (std::size_t i = 0; i < n; ++i) {
+            out[0] = a[i];
+            out[1] = a[i + 1];
+            out[2] = b[i + 1];
+            out[3] = b[i];
+            out[4] = c[i];
+            out[5] = c[i + 1];
+            out[6] = d[i + 1];
+            out[7] = d[i];
+            out += 8;
+        }
+        std::swap(r[0], r[1]);
+        std::swap(r[2], r[3]);
+    }
+}
+
+void fill_quads(const Lattice &lattice, const Task &task, std::span<std::int32_t> cells) {
+    const auto g = lattice.divisions(task.block);
+    const auto n = static_cast<std::size_t>(g[0]);
+    std::vector<std::int32_t> low(n + 1);
+    std::vector<std::int32_t> high(n + 1);
+    lattice.row(task.block, task.first_row, 0, low);
+    for (std::int32_t j = task.first_row; j < task.last_row; ++j) {
+        lattice.row(task.block, j + 1, 0, high);
+        std::int32_t *out = cells.data() + 4 * (lattice.first_cell(task.block) +
+                                                std::int64_t{j} * static_cast<std::int64_t>(g[0]));
+        for (std::size_t i = 0; i < n; ++i) {
+            out[0] = low[i];
+            out[1] = low[i + 1];
+            out[2] = high[i + 1];
+            out[3] = high[i];
+            out += 4;
+        }
+        std::swap(low, high);
+    }
+}
+
+void raise_conflicts(const BlockModel &model, const Topology &topology) {
+    std::vector<std::string> entities;
+    std::vector<std::string> reasons;
+    for (const Conflict &c : topology.conflicts) {
+        const auto block = [&](std::int32_t b, int code) {
+            return "Block" + std::to_string(b + 1) + " " + part::name(code, model.dimension);
+        };
+        entities.push_back("Block" + std::to_string(c.block_a + 1));
+        reasons.push_back(block(c.block_a, c.part_a) + " is " + c.reason + " (" +
+                          block(c.block_b, c.part_b) + "), near (" + std::to_string(c.place.x) +
+                          ", " + std::to_string(c.place.y) + ", " + std::to_string(c.place.z) +
+                          ")");
+    }
+    std::string text = "the blocks do not match: " + reasons.front();
+    if (reasons.size() > 1) {
+        text += ", and " + std::to_string(reasons.size() - 1) + " more";
+    }
+    throw BlockingError(text, std::move(entities), std::move(reasons));
+}
+
+} // namespace
+
+void fill_points(const BlockModel &model, const Lattice &lattice, std::span<Vec3> points,
+                 const Progress &progress, double from, double to) {
+    std::vector<BlockTables> table;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        table.push_back(tables(model, b));
+    }
+    const auto tasks = make_tasks(model, 1);
+    parallel_for(
+        tasks.size(), 1,
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t t = first; t < last; ++t) {
+                fill_rows(model, lattice, table[tasks[t].block], tasks[t], points);
+            }
+        },
+        progress, from, to);
+}
+
+void fill_cells(const BlockModel &model, const Lattice &lattice, std::span<std::int32_t> cells,
+                const Progress &progress, double from, double to) {
+    const auto tasks = make_tasks(model, 0);
+    parallel_for(
+        tasks.size(), 1,
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t t = first; t < last; ++t) {
+                if (model.dimension == 3) {
+                    fill_hexahedra(lattice, tasks[t], cells);
+                } else {
+                    fill_quads(lattice, tasks[t], cells);
+                }
+            }
+        },
+        progress, from, to);
+}
+
+Mesh generate(const BlockModel &model, const GenerateOptions &options, const Progress &progress) {
+    validate(model);
+    const int corners = model.dimension == 3 ? 8 : 4;
+    const std::int64_t upper = lattice_count(model);
+    const Topology topology = find_topology(model, options.tolerance);
+    if (!topology.conflicts.empty() && !options.ignore_conflicts) {
+        raise_conflicts(model, topology);
+    }
+    const Lattice lattice(model, topology);
+    if (lattice.node_count() > std::numeric_limits<std::int32_t>::max()) {
+        throw ArgumentError("divisions: the mesh would have " + std::to_string(upper) +
+                            " nodes; node numbers end at 2147483647");
+    }
+    require_memory(24 * lattice.node_count() + 4 * corners * cell_count(model), "the mesh");
+
+    Mesh mesh;
+    mesh.points = Array<Vec3>(static_cast<std::size_t>(lattice.node_count()));
+    mesh.cells.push_back(
+        {model.dimension == 3 ? CellType::hexahedron : CellType::quad,
+         Array<std::int32_t>(static_cast<std::size_t>(corners * cell_count(model)))});
+    fill_points(model, lattice, {mesh.points.data(), mesh.points.size()}, progress, 0.0, 0.5);
+    fill_cells(model, lattice, {mesh.cells[0].nodes.data(), mesh.cells[0].nodes.size()}, progress,
+               0.5, 1.0);
+    return mesh;
+}
+
+} // namespace nmgs

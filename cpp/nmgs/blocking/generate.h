@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Generation of a structured mesh by isoparametric mapping (thesis 2.1.1.1, 2.3.1, 4.4.1, 4.5.1).
+#pragma once
+
+#include "nmgs/blocking/lattice.h"
+#include "nmgs/mesh/mesh.h"
+#include "nmgs/support/progress.h"
+
+#include <span>
+
+namespace nmgs {
+
+struct GenerateOptions {
+    double tolerance = -1;         // for common nodes; negative: default_tolerance()
+    bool ignore_conflicts = false; // leave blocks that do not match open instead of raising
+};
+
+// Quads of patches, hexahedra of blocks; cells block by block, xi fastest, each in VTK's order.
+// Raises ArgumentError (see validate; also when the mesh cannot fit into memory or its node numbers
+// not into 32 bits), BlockingError that names the pairs of blocks whose divisions disagree.
+Mesh generate(const BlockModel &model, const GenerateOptions &options = {},
+              const Progress &progress = {});
+
+// The two halves of the above into memory that the caller owns; sizes are the lattice's.
+void fill_points(const BlockModel &model, const Lattice &lattice, std::span<Vec3> points,
+                 const Progress &progress = {}, double from = 0.0, double to = 1.0);
+void fill_cells(const BlockModel &model, const Lattice &lattice, std::span<std::int32_t> cells,
+                const Progress &progress = {}, double from = 0.0, double to = 1.0);
+
+} // namespace nmgs

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""BlockModel: curved 8-node patches or 20-node blocks, to be divided (NMGS-SSMG, NMGS-SVMG)."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Optional
+
+import numpy as np
+
+from . import _kernel
+from .mesh import Mesh
+
+
+class BlockModel:
+    """Curved elements in the thesis's node order, with their divisions.
+
+    nodes: float64 (NE, 8 | 20, 3), corners first. divisions: int32 (NE, 2 | 3), elements along xi,
+    eta (, zeta), or one row for all. reference: the user's text, one line.
+    Raises ValueError that names the argument, the element (1-based) and the value.
+    """
+
+    def __init__(self, nodes: np.ndarray, divisions: np.ndarray, reference: str = ""):
+        self.nodes = np.ascontiguousarray(nodes, dtype=np.float64)
+        if self.nodes.ndim != 3 or self.nodes.shape[1:] not in ((8, 3), (20, 3)):
+            raise ValueError(
+                f"nodes: expected shape (NE, 8, 3) or (NE, 20, 3), got {self.nodes.shape}"
+            )
+        if not np.isfinite(self.nodes).all():
+            element, node = np.argwhere(~np.isfinite(self.nodes))[0][:2]
+            raise ValueError(f"nodes: node {node + 1} of element {element + 1} is not finite")
+        self.divisions = self._checked_divisions(divisions)
+        self.reference = self._checked_reference(reference)
+        #: What nmgs.fit found out, one entry a face or solid; empty for other models.
+        self.report: list = []
+
+    @property
+    def dimension(self) -> int:
+        """2 for patches, 3 for blocks."""
+        return 2 if self.nodes.shape[1] == 8 else 3
+
+    def __len__(self) -> int:
+        return len(self.nodes)
+
+    def _checked_divisions(self, divisions: np.ndarray) -> np.ndarray:
+        values = np.asarray(divisions)
+        if not np.issubdtype(values.dtype, np.number) or not np.isfinite(values).all():
+            raise ValueError(f"divisions: expected whole numbers, got {divisions!r}")
+        shape = (len(self.nodes), self.dimension)
+        if values.ndim <= 1:
+            values = np.broadcast_to(values, shape)
+        if values.shape != shape:
+            raise ValueError(f"divisions: expected shape {shape}, got {values.shape}")
+        bad = np.argwhere((values != np.floor(values)) | (values < 1) | (values > 2**31 - 1))
+        if len(bad):
+            element, direction = bad[0]
+            raise ValueError(
+                f"divisions: element {element + 1} has {values[element, direction]} along "
+                f"{('xi', 'eta', 'zeta')[direction]}; expected a whole number from 1 on"
+            )
+        return np.ascontiguousarray(values, dtype=np.int32)
+
+    @staticmethod
+    def _checked_reference(reference: str) -> str:
+        if not isinstance(reference, str):
+            raise TypeError(f"reference: expected text, got {type(reference).__name__}")
+        if "\n" in reference or "\r" in reference:
+            raise ValueError("reference: expected one line of text")
+        return reference
+
+    def generate(
+        self,
+        tolerance: Optional[float] = None,
+        order: int = 1,
+        snap: bool = True,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> Mesh:
+        """Structured mesh: quads of patches, hexahedra of blocks.
+
+        tolerance: nodes of different blocks closer than this are one; None for 1e-4 of the
+        smallest element edge. order: 1 or 2 (quad8, hexahedron20). snap: put the nodes onto the
+        CAD that the model was fitted to. progress: called with the finished fraction, False stops.
+        Raises BlockingError, Cancelled, ValueError.
+        """
+        if tolerance is not None and not tolerance >= 0:
+            raise ValueError(f"tolerance: expected 0 or more, got {tolerance!r}")
+        if order not in (1, 2):
+            raise ValueError(f"order: expected 1 or 2, got {order!r}")
+        raw = _kernel.core().generate(
+            self.nodes,
+            self.divisions,
+            tolerance=-1.0 if tolerance is None else tolerance,
+            progress=progress,
+        )
+        return Mesh(raw["points"], raw["cells"], model=self)
+
+    def __repr__(self) -> str:
+        kind = "patches" if self.dimension == 2 else "blocks"
+        return f"<nmgs.BlockModel: {len(self)} {kind}>"

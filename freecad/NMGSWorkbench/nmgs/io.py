@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""read and write by extension. A format adds one row; its module is imported when it is used."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from typing import Any, Dict, Optional, Tuple
+
+#: format name -> (module beside this one, reader or "", writer or "")
+FORMATS: Dict[str, Tuple[str, str, str]] = {}
+
+
+def _format_of(path: str, format: Optional[str]) -> str:
+    if format is not None:
+        if format not in FORMATS:
+            raise ValueError(f"format: no such format {format!r}; known: {', '.join(FORMATS)}")
+        return format
+    name = os.path.basename(path).lower()
+    # The longest extension wins: "part.face.gid" is of format "face.gid".
+    for known in sorted(FORMATS, key=len, reverse=True):
+        if name.endswith("." + known):
+            return known
+    raise ValueError(f"path: cannot tell the format of {path!r}; known: {', '.join(FORMATS)}")
+
+
+def _function(format: str, which: int) -> Any:
+    row = FORMATS[format]
+    if not row[which]:
+        verb = "read" if which == 1 else "written"
+        raise ValueError(f"format: {format!r} cannot be {verb}")
+    module = importlib.import_module("." + row[0], __package__)
+    return getattr(module, row[which])
+
+
+def read(path: "str | os.PathLike[str]", format: Optional[str] = None, **options: Any) -> Any:
+    """The BlockModel, Mesh or PLC in a file. format: an extension that overrides the path's.
+
+    Raises FormatError (file, line, expected and found), FileNotFoundError, ValueError.
+    """
+    name = os.fspath(path)
+    return _function(_format_of(name, format), 1)(name, **options)
+
+
+def write(
+    path: "str | os.PathLike[str]", obj: Any, format: Optional[str] = None, **options: Any
+) -> None:
+    """Writes a BlockModel, Mesh or PLC. The file appears whole or not at all.
+
+    Raises ValueError when the format cannot hold the object.
+    """
+    name = os.fspath(path)
+    _function(_format_of(name, format), 2)(name, obj, **options)
