@@ -12,6 +12,7 @@ from .errors import (
     KernelMissing,
     TetGenError,
 )
+from .fem import to_fem
 from .io import read, write
 from .mesh import Mesh
 
@@ -27,5 +28,6 @@ __all__ = [
     "TetGenError",
     "fit",
     "read",
+    "to_fem",
     "write",
 ]
