@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
+from . import grading
 from .block_model import BlockModel
 from .errors import (
     BlockingError,
@@ -24,6 +25,7 @@ __all__ = [
     "KernelMissing",
     "Mesh",
     "TetGenError",
+    "grading",
     "read",
     "write",
 ]

@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional
+from typing import Any, Callable, List, Optional
 
 import numpy as np
 
 from . import _kernel
+from .grading import Grading
 from .mesh import Mesh
 
 
@@ -30,6 +31,8 @@ class BlockModel:
             raise ValueError(f"nodes: node {node + 1} of element {element + 1} is not finite")
         self.divisions = self._checked_divisions(divisions)
         self.reference = self._checked_reference(reference)
+        #: grading[element][direction]: a Grading. Uniform where nothing is set; see set_grading.
+        self.grading = [[Grading()] * self.dimension for _ in range(len(self))]
         #: What nmgs.fit found out, one entry a face or solid; empty for other models.
         self.report: list = []
 
@@ -67,6 +70,26 @@ class BlockModel:
             raise ValueError("reference: expected one line of text")
         return reference
 
+    @property
+    def spacing(self) -> List[Optional[np.ndarray]]:
+        """Positions from 0 to 1 of the lattice planes, of all elements' directions one after the
+        other; None where uniform. Raises ValueError naming the element and direction."""
+        if len(self.grading) != len(self) or any(len(g) != self.dimension for g in self.grading):
+            raise ValueError(
+                f"grading: expected {len(self)} elements of {self.dimension} directions"
+            )
+        result = []
+        for element, (row, counts) in enumerate(zip(self.grading, self.divisions)):
+            for direction, (grading, count) in enumerate(zip(row, counts)):
+                try:
+                    result.append(grading.positions(int(count)))
+                except ValueError as error:
+                    name = ("xi", "eta", "zeta")[direction]
+                    raise ValueError(
+                        f"grading: element {element + 1} along {name}: {error}"
+                    ) from error
+        return result
+
     def generate(
         self,
         tolerance: Optional[float] = None,
@@ -88,6 +111,7 @@ class BlockModel:
         raw = _kernel.core().generate(
             self.nodes,
             self.divisions,
+            spacing=self.spacing,
             tolerance=-1.0 if tolerance is None else tolerance,
             progress=progress,
         )
