@@ -63,7 +63,9 @@ def screenshot(name: str) -> None:
     folder = os.environ.get("NMGS_SCREENSHOTS")
     if folder:
         process_events(300)
-        FreeCADGui.getMainWindow().grab().save(str(pathlib.Path(folder) / f"{name}.png"))
+        # The screen, not the widget: only the screen has the 3D view.
+        picture = QtGui.QApplication.primaryScreen().grabWindow(0)
+        assert picture.save(str(pathlib.Path(folder) / f"{name}.png"))
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import FreeCADGui
 
 from ..nmgs.errors import Cancelled
 from ..resources import icon
-from . import messages
+from ..taskpanels import messages
 
 
 class Command:
@@ -64,7 +64,7 @@ class Command:
 
 def computed(obj: Any) -> Any:
     """obj, recomputed. Raises what its recompute raised."""
-    obj.recompute()
+    obj.Document.recompute([obj])
     if obj.Proxy.failure is not None:
         raise obj.Proxy.failure
     return obj

@@ -10,7 +10,8 @@ from PySide import QtGui
 
 from .. import export_object
 from ..objects.base import DocumentObject
-from . import messages, selection
+from ..taskpanels import messages
+from . import selection
 from .base import Command
 
 

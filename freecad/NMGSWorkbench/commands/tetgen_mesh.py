@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCADGui
-
 from ..objects import tetgen_mesh
 from ..objects.base import DocumentObject
 from . import selection
