@@ -13,6 +13,8 @@ from .errors import (
 )
 from .io import read, write
 from .mesh import Mesh
+from .plc import PLC
+from .tetgen import tetrahedralize
 
 __all__ = [
     "BlockModel",
@@ -23,7 +25,9 @@ __all__ = [
     "GeometryError",
     "KernelMissing",
     "Mesh",
+    "PLC",
     "TetGenError",
     "read",
+    "tetrahedralize",
     "write",
 ]

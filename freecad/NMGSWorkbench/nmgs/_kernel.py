@@ -36,7 +36,9 @@ def cad() -> ModuleType:
 def worker() -> pathlib.Path:
     """The nmgs-tet executable. Raises KernelMissing."""
     package = _load("core").__file__
-    path = pathlib.Path(package).with_name("nmgs-tet.exe" if sys.platform == "win32" else "nmgs-tet")
+    path = pathlib.Path(package).with_name(
+        "nmgs-tet.exe" if sys.platform == "win32" else "nmgs-tet"
+    )
     if not path.is_file():
         raise KernelMissing(f"NMGS: the TetGen worker {path.name} is missing beside {package}.")
     return path
