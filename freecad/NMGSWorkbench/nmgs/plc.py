@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""PLC: a piecewise linear complex, TetGen's input (Miller et al. 1996): planar facets, holes, regions.
+"""PLC: a piecewise linear complex (Miller et al. 1996), TetGen's input.
 
 A facet is one or more polygons in one plane: an outer one, those that bound its holes, and
 segments or single points inside it (polygons of two nodes or one). All arrays are flat, with
-offsets: the polygons of facet f are facet_offsets[f] to facet_offsets[f + 1], the nodes of polygon p
+offsets: facet f has the polygons facet_offsets[f] to facet_offsets[f + 1], polygon p the nodes
 polygon_nodes[polygon_offsets[p]:polygon_offsets[p + 1]].
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far TetGen is, from the lines it prints. An estimate: TetGen names its steps, not its share."""
+"""How far TetGen is, from the lines it prints: an estimate, since it names steps only."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What can be meshed: points, PLC, path, Mesh, BlockModel, FreeCAD shape, mesh or document object."""
+"""What can be meshed: points, PLC, path, Mesh, BlockModel, and FreeCAD's shapes and meshes."""
 
 from __future__ import annotations
 
