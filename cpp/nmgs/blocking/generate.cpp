@@ -170,7 +170,12 @@ void fill_quads(const Lattice &lattice, const Task &task, std::span<std::int32_t
     }
 }
 
+} // namespace
+
 void raise_conflicts(const BlockModel &model, const Topology &topology) {
+    if (topology.conflicts.empty()) {
+        return;
+    }
     std::vector<std::string> entities;
     std::vector<std::string> reasons;
     for (const Conflict &c : topology.conflicts) {
@@ -189,8 +194,6 @@ void raise_conflicts(const BlockModel &model, const Topology &topology) {
     }
     throw BlockingError(text, std::move(entities), std::move(reasons));
 }
-
-} // namespace
 
 void fill_points(const BlockModel &model, const Lattice &lattice, std::span<Vec3> points,
                  const Progress &progress, double from, double to) {
@@ -231,7 +234,7 @@ Mesh generate(const BlockModel &model, const GenerateOptions &options, const Pro
     const int corners = model.dimension == 3 ? 8 : 4;
     const std::int64_t upper = lattice_count(model);
     const Topology topology = find_topology(model, options.tolerance);
-    if (!topology.conflicts.empty() && !options.ignore_conflicts) {
+    if (!options.ignore_conflicts) {
         raise_conflicts(model, topology);
     }
     const Lattice lattice(model, topology);

@@ -2,6 +2,7 @@
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
 from .block_model import BlockModel
+from .cad import fit
 from .errors import (
     BlockingError,
     Cancelled,
@@ -27,6 +28,7 @@ __all__ = [
     "Mesh",
     "PLC",
     "TetGenError",
+    "fit",
     "read",
     "tetrahedralize",
     "write",
