@@ -60,12 +60,15 @@ void run(const Request &request) {
 
 } // namespace
 
-int main(int argc, char **) {
+int main(int argc, char **argv) {
+    if (argc == 2 && std::string_view(argv[1]) == "--version") {
+        std::puts(NMGS_TETGEN_VERSION);
+        return EXIT_SUCCESS;
+    }
     if (argc > 1) {
-        std::fputs(
-            "nmgs-tet is the TetGen worker of the NMGS Workbench, TetGen " NMGS_TETGEN_VERSION
-            "; it reads a request from standard input\n",
-            stderr);
+        std::fputs("nmgs-tet, the TetGen worker of the NMGS Workbench, reads a request from its "
+                   "standard input; --version tells TetGen's version\n",
+                   stderr);
         return EXIT_FAILURE;
     }
     // TetGen prints to standard output: what it says goes to standard error, line by line.

@@ -15,7 +15,7 @@ from .errors import (
 from .io import read, write
 from .mesh import Mesh
 from .plc import PLC
-from .tetgen import tetrahedralize
+from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
     "BlockModel",
@@ -28,6 +28,7 @@ __all__ = [
     "Mesh",
     "PLC",
     "TetGenError",
+    "TetOptions",
     "fit",
     "read",
     "tetrahedralize",

@@ -9,6 +9,7 @@ from typing import Any, List
 
 from ..errors import TetGenError
 from ..plc import PLC
+from .results import TetGenData
 from .worker import Outcome
 
 MEANINGS = {
@@ -56,3 +57,8 @@ def error_of(outcome: Outcome, source: Any, timeout: "float | None") -> TetGenEr
     if facets:
         text += "; facets " + ", ".join(map(str, facets))
     return TetGenError("TetGen: " + text, code=code, facets=facets, log=outcome.log)
+
+
+def no_tetrahedra(source: Any, data: TetGenData) -> TetGenError:
+    """The error for a run that ended well and left nothing: the surface does not close."""
+    return TetGenError("TetGen left no tetrahedra: the surface encloses no volume", log=data.log)

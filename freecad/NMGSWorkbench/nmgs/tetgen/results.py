@@ -96,6 +96,11 @@ def _voronoi(arrays: Dict[str, np.ndarray]) -> Voronoi:
     )
 
 
+def cells_of(mesh: Mesh, first: str, second: str) -> str:
+    """Which of two cell types the mesh has, or ""."""
+    return _kind(mesh.cells, first, second)
+
+
 def _kind(cells: Dict[str, np.ndarray], first: str, second: str) -> str:
     return first if first in cells else second if second in cells else ""
 

@@ -11,6 +11,7 @@ import numpy as np
 from ..block_model import BlockModel
 from ..mesh import Mesh
 from ..plc import PLC
+from .options import TetOptions
 
 #: Faces of a surface mesh; mid-side nodes are left out, TetGen's facets are straight.
 FACES = ("triangle", "triangle6", "quad", "quad8")
@@ -55,19 +56,19 @@ def _read(path: "str | os.PathLike[str]") -> Any:
     return read(path)
 
 
-def _points(source: Any) -> np.ndarray:
+def _points(source: Any, argument: str = "source") -> np.ndarray:
     try:
         points = np.ascontiguousarray(source, dtype=np.float64)
     except (TypeError, ValueError):
         raise TypeError(
-            f"source: cannot mesh a {type(source).__name__}; expected (N, 3) points, a PLC, a path,"
+            f"{argument}: cannot mesh a {type(source).__name__}; expected (N, 3) points, a PLC, a path,"
             " a Mesh, a BlockModel, or a FreeCAD shape, mesh or object"
         ) from None
     if points.ndim != 2 or points.shape[1] != 3:
-        raise ValueError(f"source: expected (N, 3) points, got shape {points.shape}")
+        raise ValueError(f"{argument}: expected (N, 3) points, got shape {points.shape}")
     if not np.isfinite(points).all():
         row = int(np.argwhere(~np.isfinite(points))[0][0])
-        raise ValueError(f"source: point {row} is not finite: {points[row].tolist()}")
+        raise ValueError(f"{argument}: point {row} is not finite: {points[row].tolist()}")
     return points
 
 
@@ -165,3 +166,45 @@ def _request_of_plc(plc: PLC) -> Dict[str, np.ndarray]:
     }
     arrays.update({k: v for k, v in optional.items() if v is not None and len(v)})
     return arrays
+
+
+def extra_arrays(
+    arrays: Dict[str, np.ndarray],
+    options: TetOptions,
+    sizes: Any,
+    volumes: Any,
+    added_points: Any,
+    background: Any,
+) -> Dict[str, np.ndarray]:
+    """The request's arrays for tetrahedralize()'s arguments; turns their switches on."""
+    extra: Dict[str, np.ndarray] = {}
+    if sizes is not None:
+        extra["point_sizes"] = _per(sizes, "sizes", len(arrays["points"]), "point")
+        options.sizes = True
+    if volumes is not None:
+        extra["tetra_volumes"] = _per(volumes, "volumes", len(arrays.get("tetra", ())), "tetrahedron")
+        options.volumes = True
+    if added_points is not None:
+        extra["added_points"] = _points(added_points, "added_points")
+        options.insert_points = True
+    if background is not None:
+        mesh, lengths = background
+        kind = next((t for t in TETRA if t in mesh.cells), None)
+        if kind is None:
+            raise ValueError(f"background: expected a Mesh of tetrahedra, got {mesh!r}")
+        extra["background_points"] = mesh.points
+        extra["background_tetra"] = mesh.cells[kind][:, :4]
+        extra["background_sizes"] = _per(lengths, "background", len(mesh.points), "point")
+        options.sizes = True
+    return extra
+
+
+def _per(values: Any, argument: str, count: int, what: str) -> np.ndarray:
+    array = np.ascontiguousarray(values, dtype=np.float64).reshape(-1)
+    if len(array) != count:
+        raise ValueError(
+            f"{argument}: expected {count} numbers, one a {what}, got {len(array)}"
+        )
+    if not np.isfinite(array).all():
+        raise ValueError(f"{argument}: number {int(np.argmin(np.isfinite(array)))} is not finite")
+    return array
