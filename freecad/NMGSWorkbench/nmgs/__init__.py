@@ -30,12 +30,9 @@ __all__ = [
     "Mesh",
     "PLC",
     "TetGenError",
-<<<<<<< HEAD
     "TetOptions",
     "fit",
-=======
     "grading",
->>>>>>> blocking
     "read",
     "to_fem",
     "tetrahedralize",
