@@ -52,7 +52,14 @@ def hexahedron_volumes(points, cells):
     (Davies and Salmond, 1985, with all four triangles at half weight).
     """
     total = np.zeros(len(cells))
-    for face in ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)):
+    for face in (
+        (0, 3, 2, 1),
+        (4, 5, 6, 7),
+        (0, 1, 5, 4),
+        (1, 2, 6, 5),
+        (2, 3, 7, 6),
+        (3, 0, 4, 7),
+    ):
         a, b, c, d = (points[cells[:, n]] for n in face)
         for p, q, r in ((a, b, c), (a, c, d), (a, b, d), (b, c, d)):
             total += np.einsum("ij,ij->i", p, np.cross(q, r)) / 12
