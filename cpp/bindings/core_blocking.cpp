@@ -2,6 +2,7 @@
 #include "arrays.h"
 #include "block_model.h"
 #include "core.h"
+#include "mesh.h"
 
 #include "nmgs/blocking/block_check.h"
 #include "nmgs/blocking/generate.h"
@@ -23,15 +24,7 @@ py::dict generate_mesh(const DoubleArray &nodes, const IntArray &divisions,
         const py::gil_scoped_release release;
         mesh = generate(model, {tolerance, force}, listener);
     }
-    py::dict cells;
-    for (CellBlock &block : mesh.cells) {
-        cells[py::str(std::string(name(block.type)))] =
-            give_cells(std::move(block.nodes), node_count(block.type));
-    }
-    py::dict result;
-    result["points"] = give_points(std::move(mesh.points));
-    result["cells"] = cells;
-    return result;
+    return give_mesh(std::move(mesh));
 }
 
 // Each as (kind, block, other block or -1, (x, y, z), text); blocks from 0 on.

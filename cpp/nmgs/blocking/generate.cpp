@@ -183,6 +183,29 @@ void fill_quads(const Lattice &lattice, const Task &task, std::span<std::int32_t
 
 } // namespace
 
+void raise_conflicts(const BlockModel &model, const Topology &topology) {
+    if (topology.conflicts.empty()) {
+        return;
+    }
+    std::vector<std::string> entities;
+    std::vector<std::string> reasons;
+    for (const Conflict &c : topology.conflicts) {
+        const auto block = [&](std::int32_t b, int code) {
+            return "Block" + std::to_string(b + 1) + " " + part::name(code, model.dimension);
+        };
+        entities.push_back("Block" + std::to_string(c.block_a + 1));
+        reasons.push_back(block(c.block_a, c.part_a) + " is " + c.reason + " (" +
+                          block(c.block_b, c.part_b) + "), near (" + std::to_string(c.place.x) +
+                          ", " + std::to_string(c.place.y) + ", " + std::to_string(c.place.z) +
+                          ")");
+    }
+    std::string text = "the blocks do not match: " + reasons.front();
+    if (reasons.size() > 1) {
+        text += ", and " + std::to_string(reasons.size() - 1) + " more";
+    }
+    throw BlockingError(text, std::move(entities), std::move(reasons));
+}
+
 void fill_points(const BlockModel &model, const Lattice &lattice, std::span<Vec3> points,
                  const Progress &progress, double from, double to) {
     std::vector<BlockTables> table;

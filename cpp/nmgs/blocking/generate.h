@@ -23,6 +23,9 @@ struct GenerateOptions {
 Mesh generate(const BlockModel &model, const GenerateOptions &options = {},
               const Progress &progress = {});
 
+// Raises BlockingError that names the blocks' pairs whose divisions or spacings disagree, if any.
+void raise_conflicts(const BlockModel &model, const Topology &topology);
+
 // The two halves of the above into memory that the caller owns; sizes are the lattice's.
 void fill_points(const BlockModel &model, const Lattice &lattice, std::span<Vec3> points,
                  const Progress &progress = {}, double from = 0.0, double to = 1.0);

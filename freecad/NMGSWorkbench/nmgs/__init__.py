@@ -3,6 +3,7 @@
 
 from . import grading
 from .block_model import BlockModel
+from .cad import fit
 from .errors import (
     BlockingError,
     Cancelled,
@@ -25,6 +26,7 @@ __all__ = [
     "KernelMissing",
     "Mesh",
     "TetGenError",
+    "fit",
     "grading",
     "read",
     "write",

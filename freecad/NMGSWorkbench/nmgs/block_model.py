@@ -27,6 +27,37 @@ class Problem:
         return self.text
 
 
+class CadLink:
+    """What the blocks lie on. shape: the kernel's CadShape.
+
+    Parts of a block are numbered a + 3 b + 9 c, with a, b, c = 0, 1, 2 for the low end, the inside
+    and the high end along xi, eta, zeta (c = 0 for patches). entities: int32 (K, 2), dimension
+    (0 vertex, 1 edge, 2 face, 3 solid) and FreeCAD's 1-based number; those of part p of block e are
+    entities[offsets[27 e + p] : offsets[27 e + p + 1]].
+    """
+
+    def __init__(self, shape: Any, offsets: np.ndarray, entities: np.ndarray):
+        self.shape = shape
+        self.offsets = offsets
+        self.entities = entities
+
+    def of(self, block: int, part: int) -> np.ndarray:
+        """Entities of a part of a block (0-based)."""
+        at = 27 * block + part
+        return self.entities[self.offsets[at] : self.offsets[at + 1]]
+
+    def of_node(self, block: int, node: int, nodes_per_element: int) -> np.ndarray:
+        """Entities of the part at a corner or mid-side node (0-based)."""
+        return self.of(block, _PART_OF_NODE[nodes_per_element][node])
+
+
+#: Part of each node, from its natural coordinates -1, 0, 1.
+_PART_OF_NODE = {
+    8: (0, 2, 8, 6, 1, 5, 7, 3),
+    20: (0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15),
+}
+
+
 class BlockModel:
     """Curved elements in the thesis's node order, with their divisions.
 
@@ -48,6 +79,8 @@ class BlockModel:
         self.reference = self._checked_reference(reference)
         #: grading[element][direction]: a Grading. Uniform where nothing is set; see set_grading.
         self.grading = [[Grading()] * self.dimension for _ in range(len(self))]
+        #: The CAD that nmgs.fit laid the blocks over, or None.
+        self.cad: Optional[CadLink] = None
         #: What nmgs.fit found out, one entry a face or solid; empty for other models.
         self.report: list = []
 
@@ -146,15 +179,22 @@ class BlockModel:
         """
         if order not in (1, 2):
             raise ValueError(f"order: expected 1 or 2, got {order!r}")
+        accepted = self._checked_tolerance(tolerance)
+        if snap and self.cad is not None:
+            from .cad import generate_on_cad  # only here: cad.py imports this module
+
+            raw = generate_on_cad(self, order, accepted, progress, bool(force))
+            return Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
         raw = _kernel.core().generate(
             self.nodes,
             self.divisions,
             spacing=self.spacing,
-            tolerance=self._checked_tolerance(tolerance),
+            tolerance=accepted,
             force=bool(force),
             progress=progress,
         )
-        return Mesh(raw["points"], raw["cells"], model=self)
+        mesh = Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
+        return mesh if order == 1 else mesh.to_order(2)
 
     def __repr__(self) -> str:
         kind = "patches" if self.dimension == 2 else "blocks"

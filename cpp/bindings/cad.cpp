@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "arrays.h"
+#include "block_model.h"
+#include "errors.h"
+#include "mesh.h"
+
+#include "nmgs_cad/generate_on_cad.h"
+#include "nmgs_cad/mapped.h"
+
+#include <Standard_Version.hxx>
+
+#include <memory>
+
+namespace nmgs::bindings {
+namespace {
+
+using cad::CadBlocks;
+using cad::CadShape;
+
+std::shared_ptr<CadShape> read_brep(const py::bytes &bytes) {
+    return std::make_shared<CadShape>(cad::read_brep(std::string_view(bytes)));
+}
+
+py::dict entry_dict(const cad::FitEntry &entry) {
+    py::dict d;
+    d["entity"] = cad::entity_name(entry.entity.dimension, entry.entity.index);
+    d["method"] = entry.method;
+    d["reason"] = entry.reason;
+    d["blockers"] = entry.blockers;
+    d["first_block"] = entry.first_block;
+    d["blocks"] = entry.blocks;
+    d["error"] = entry.error;
+    d["place"] = py::make_tuple(entry.place[0], entry.place[1], entry.place[2]);
+    return d;
+}
+
+// {nodes, offsets, entities, report} of faces (dimension 2) or solids (3).
+py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices) {
+    CadBlocks blocks;
+    blocks.model.dimension = dimension;
+    {
+        const py::gil_scoped_release release;
+        for (const int n : indices) {
+            dimension == 2 ? cad::fit_mapped_face(shape, n, blocks)
+                           : cad::fit_mapped_solid(shape, n, blocks);
+        }
+    }
+    py::list report;
+    for (const auto &entry : blocks.report) {
+        report.append(entry_dict(entry));
+    }
+    std::vector<double> nodes;
+    for (const Vec3 &p : blocks.model.nodes) {
+        nodes.insert(nodes.end(), {p.x, p.y, p.z});
+    }
+    std::vector<std::int32_t> entities;
+    for (const auto &e : blocks.binding.entities) {
+        entities.insert(entities.end(), {e.dimension, e.index});
+    }
+    const auto size = static_cast<py::ssize_t>(blocks.model.size());
+    const auto offsets = static_cast<py::ssize_t>(blocks.binding.offsets.size());
+    const auto count = static_cast<py::ssize_t>(blocks.binding.entities.size());
+    py::dict result;
+    result["nodes"] = give<double>(std::move(nodes), {size, blocks.model.nodes_per_element(), 3});
+    result["offsets"] = give<std::int32_t>(std::move(blocks.binding.offsets), {offsets});
+    result["entities"] = give<std::int32_t>(std::move(entities), {count, 2});
+    result["report"] = report;
+    return result;
+}
+
+py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const IntArray &divisions,
+                       const py::object &spacing, const IntArray &offsets, const IntArray &entities,
+                       int order, double tolerance, bool force, const py::object &progress) {
+    CadBlocks blocks;
+    blocks.model = block_model_of(nodes, divisions, spacing);
+    blocks.binding.offsets.assign(offsets.data(), offsets.data() + offsets.size());
+    const auto view = entities.unchecked<2>();
+    for (py::ssize_t e = 0; e < view.shape(0); ++e) {
+        blocks.binding.entities.push_back({view(e, 0), view(e, 1)});
+    }
+    Mesh mesh;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        mesh = cad::generate_on_cad(shape, blocks, order, {tolerance, force}, listener);
+    }
+    return give_mesh(std::move(mesh));
+}
+
+} // namespace
+} // namespace nmgs::bindings
+
+PYBIND11_MODULE(cad, module) {
+    using namespace nmgs::bindings;
+    module.doc() = "Kernel of the NMGS Workbench with OpenCASCADE.";
+    register_errors();
+    module.attr("occt_version") = OCC_VERSION_COMPLETE;
+    py::class_<nmgs::cad::CadShape, std::shared_ptr<nmgs::cad::CadShape>>(
+        module, "CadShape", "A shape whose FaceN, EdgeN, VertexN are FreeCAD's.")
+        .def(py::init(&read_brep), py::arg("brep"), "From the bytes of a BREP of OpenCASCADE.")
+        .def_property_readonly("solids",
+                               [](const nmgs::cad::CadShape &s) { return s.solids.Extent(); })
+        .def_property_readonly("faces",
+                               [](const nmgs::cad::CadShape &s) { return s.faces.Extent(); })
+        .def_property_readonly("edges",
+                               [](const nmgs::cad::CadShape &s) { return s.edges.Extent(); })
+        .def_property_readonly("vertices",
+                               [](const nmgs::cad::CadShape &s) { return s.vertices.Extent(); })
+        .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
+    module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"));
+    module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
+               py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
+               py::arg("tolerance") = -1.0, py::arg("force") = false,
+               py::arg("progress") = py::none());
+}

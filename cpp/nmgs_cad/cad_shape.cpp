@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/cad_shape.h"
+
+#include "nmgs/support/error.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+
+#include <cmath>
+#include <sstream>
+
+namespace nmgs::cad {
+
+TopoDS_Solid CadShape::solid(int n) const {
+    return TopoDS::Solid(solids(n));
+}
+TopoDS_Face CadShape::face(int n) const {
+    return TopoDS::Face(faces(n));
+}
+TopoDS_Edge CadShape::edge(int n) const {
+    return TopoDS::Edge(edges(n));
+}
+TopoDS_Vertex CadShape::vertex(int n) const {
+    return TopoDS::Vertex(vertices(n));
+}
+
+double CadShape::diagonal() const {
+    Bnd_Box box;
+    BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+    return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+}
+
+CadShape make_shape(const TopoDS_Shape &shape) {
+    CadShape result;
+    result.shape = shape;
+    TopExp::MapShapes(shape, TopAbs_SOLID, result.solids);
+    TopExp::MapShapes(shape, TopAbs_FACE, result.faces);
+    TopExp::MapShapes(shape, TopAbs_EDGE, result.edges);
+    TopExp::MapShapes(shape, TopAbs_VERTEX, result.vertices);
+    return result;
+}
+
+CadShape read_brep(std::string_view bytes) {
+    TopoDS_Shape shape;
+    try {
+        std::istringstream stream{std::string(bytes)};
+        BRepTools::Read(shape, stream, BRep_Builder());
+    } catch (const Standard_Failure &failure) {
+        throw GeometryError(
+            std::string("shape: OpenCASCADE cannot read it: ") + failure.GetMessageString(), {});
+    }
+    if (shape.IsNull()) {
+        throw GeometryError("shape: it is empty, or not a BREP of OpenCASCADE", {});
+    }
+    return make_shape(shape);
+}
+
+std::string entity_name(int dimension, int index) {
+    constexpr const char *names[] = {"Vertex", "Edge", "Face", "Solid"};
+    return names[dimension] + std::to_string(index);
+}
+
+} // namespace nmgs::cad

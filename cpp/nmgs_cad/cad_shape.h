@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A CAD shape whose parts are numbered as FreeCAD numbers them.
+#pragma once
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <string>
+#include <string_view>
+
+namespace nmgs::cad {
+
+// Index n of faces, edges and vertices is FreeCAD's FaceN, EdgeN, VertexN: 1-based, in the order of
+// TopExp::MapShapes.
+struct CadShape {
+    TopoDS_Shape shape;
+    TopTools_IndexedMapOfShape solids, faces, edges, vertices;
+
+    [[nodiscard]] TopoDS_Solid solid(int n) const;
+    [[nodiscard]] TopoDS_Face face(int n) const;
+    [[nodiscard]] TopoDS_Edge edge(int n) const;
+    [[nodiscard]] TopoDS_Vertex vertex(int n) const;
+    [[nodiscard]] double diagonal() const; // of the bounding box
+};
+
+CadShape make_shape(const TopoDS_Shape &shape);
+
+// Reads OpenCASCADE's text BREP from memory. Raises GeometryError when it cannot be read
+// or is empty.
+CadShape read_brep(std::string_view bytes);
+
+// "Face7", "Edge3", "Vertex1", "Solid2".
+std::string entity_name(int dimension, int index);
+
+} // namespace nmgs::cad

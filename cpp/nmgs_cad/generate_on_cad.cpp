@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/generate_on_cad.h"
+
+#include "nmgs/element/hexa20.h"
+#include "nmgs/element/quad8.h"
+#include "nmgs/support/error.h"
+#include "nmgs/support/memory.h"
+#include "nmgs/support/parallel.h"
+#include "nmgs_cad/snap.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace nmgs::cad {
+namespace {
+
+// The lattice with twice the divisions: every second plane half-way between two of the model's.
+// Its nodes with at most one odd index are the nodes of the quadratic serendipity cells.
+BlockModel doubled(const BlockModel &model) {
+    BlockModel fine = model;
+    fine.spacing.assign(model.size() * static_cast<std::size_t>(model.dimension), {});
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        for (int d = 0; d < model.dimension; ++d) {
+            const auto axis = static_cast<std::size_t>(d);
+            fine.divisions[b][axis] *= 2;
+            const std::size_t at = b * static_cast<std::size_t>(model.dimension) + axis;
+            if (at < model.spacing.size() && !model.spacing[at].empty()) {
+                const auto &coarse = model.spacing[at];
+                auto &values = fine.spacing[at];
+                for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
+                    values.push_back(coarse[i]);
+                    values.push_back(0.5 * (coarse[i] + coarse[i + 1]));
+                }
+                values.push_back(coarse.back());
+            }
+        }
+    }
+    return fine;
+}
+
+struct Builder {
+    const BlockModel &model;  // as asked for
+    const BlockModel &finest; // itself, or doubled
+    const CadBinding &binding;
+    const Topology &topology; // of the coarse lattice
+    const Lattice &coarse;
+    const Lattice &fine;
+    int scale; // 1, or 2 for second order
+    Mesh mesh;
+    std::vector<std::int32_t> number; // of the fine lattice's nodes in the mesh, -1 unused
+
+    void number_nodes(std::span<const Vec3> points);
+    void make_cells();
+    void make_boundary();
+    void make_node_groups();
+
+    [[nodiscard]] std::int32_t node(std::size_t block, LatticeIndex fine_at) const {
+        return number[static_cast<std::size_t>(fine.node(block, fine_at))];
+    }
+};
+
+LatticeIndex scaled(LatticeIndex at, int scale) {
+    return {at[0] * scale, at[1] * scale, at[2] * scale};
+}
+
+void Builder::number_nodes(std::span<const Vec3> points) {
+    number.assign(points.size(), -1);
+    auto next = static_cast<std::int32_t>(coarse.node_count());
+    // Corner nodes keep the numbers that the linear mesh gives them.
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        const auto g = coarse.divisions(b);
+        std::vector<std::int32_t> row(static_cast<std::size_t>(g[0]) + 1);
+        for (std::int32_t k = 0; k <= g[2]; ++k) {
+            for (std::int32_t j = 0; j <= g[1]; ++j) {
+                coarse.row(b, j, k, row);
+                for (std::int32_t i = 0; i <= g[0]; ++i) {
+                    number[static_cast<std::size_t>(fine.node(b, scaled({i, j, k}, scale)))] =
+                        row[static_cast<std::size_t>(i)];
+                }
+            }
+        }
+    }
+    if (scale == 2) {
+        for (std::size_t b = 0; b < model.size(); ++b) {
+            const auto g = fine.divisions(b);
+            std::vector<std::int32_t> row(static_cast<std::size_t>(g[0]) + 1);
+            for (std::int32_t k = 0; k <= g[2]; ++k) {
+                for (std::int32_t j = 0; j <= g[1]; ++j) {
+                    const int odd = (j & 1) + (k & 1);
+                    if (odd > 1) {
+                        continue;
+                    }
+                    fine.row(b, j, k, row);
+                    // Odd rows have mid-side nodes at even places only, even rows at odd places.
+                    for (std::int32_t i = 1 - odd; i <= g[0]; i += 2) {
+                        auto &n =
+                            number[static_cast<std::size_t>(row[static_cast<std::size_t>(i)])];
+                        n = n < 0 ? next++ : n;
+                    }
+                }
+            }
+        }
+    }
+    mesh.points = Array<Vec3>(static_cast<std::size_t>(next));
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (number[n] >= 0) {
+            mesh.points[static_cast<std::size_t>(number[n])] = points[n];
+        }
+    }
+}
+
+void Builder::make_cells() {
+    const bool solid = model.dimension == 3;
+    const CellType type = solid ? (scale == 2 ? CellType::hexahedron20 : CellType::hexahedron)
+                                : (scale == 2 ? CellType::quad8 : CellType::quad);
+    const int k_nodes = node_count(type);
+    const auto count = static_cast<std::size_t>(cell_count(model));
+    Array<std::int32_t> nodes(count * static_cast<std::size_t>(k_nodes));
+    parallel_for(model.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+            const auto g = coarse.divisions(b);
+            auto *out = nodes.data() + coarse.first_cell(b) * k_nodes;
+            for (std::int32_t k = 0; k < (solid ? g[2] : 1); ++k) {
+                for (std::int32_t j = 0; j < g[1]; ++j) {
+                    for (std::int32_t i = 0; i < g[0]; ++i) {
+                        for (int n = 0; n < k_nodes; ++n) {
+                            LatticeIndex at = scaled({i, j, k}, scale);
+                            const auto m = static_cast<std::size_t>(n);
+                            for (std::size_t d = 0; d < (solid ? 3U : 2U); ++d) {
+                                const double natural =
+                                    solid ? hexa20::natural[m][d] : quad8::natural[m][d];
+                                at[d] += (static_cast<std::int32_t>(natural) + 1) * scale / 2;
+                            }
+                            *out++ = node(b, at);
+                        }
+                    }
+                }
+            }
+        }
+    });
+    mesh.cells.push_back({type, std::move(nodes)});
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        const auto on = binding.of(b, solid ? part::code(1, 1, 1) : part::code(1, 1, 0));
+        if (on.size() == 1 && on[0].dimension == model.dimension) {
+            Group &group = mesh.groups[entity_name(on[0].dimension, on[0].index)];
+            group.on_nodes = false;
+            group.type = type;
+            for (auto c = coarse.first_cell(b); c < coarse.first_cell(b + 1); ++c) {
+                group.indices.push_back(static_cast<std::int32_t>(c));
+            }
+        }
+    }
+}
+
+// Quads of the hexahedra's faces that lie on CAD faces, once where two blocks share one.
+void Builder::make_boundary() {
+    const CellType type = scale == 2 ? CellType::quad8 : CellType::quad;
+    std::vector<std::int32_t> nodes;
+    std::map<std::string, Group> groups;
+    std::int32_t count = 0;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        for (int code = 0; code < part::count; ++code) {
+            const auto on = binding.of(b, code);
+            if (part::dimension(code) != 2 || on.size() != 1 || on[0].dimension != 2 ||
+                !topology.owns(b, code)) {
+                continue;
+            }
+            Group &group = groups[entity_name(2, on[0].index)];
+            group.on_nodes = false;
+            group.type = type;
+            const auto axes = part::axes(code);
+            const auto digits = part::digits(code);
+            const auto u = static_cast<std::size_t>(axes.axis[0]);
+            const auto v = static_cast<std::size_t>(axes.axis[1]);
+            const std::size_t w = 3 - u - v;
+            // (u, v, w) is right-handed for w = xi and zeta; outward is +w at the high end.
+            const bool flip = (w == 1) == (digits[w] == 2);
+            const auto g = fine.divisions(b);
+            LatticeIndex middle{};
+            middle[w] = digits[w] == 2 ? g[w] : 0;
+            for (std::int32_t j = 0; j < g[v]; j += scale) {
+                for (std::int32_t i = 0; i < g[u]; i += scale) {
+                    for (int n = 0; n < node_count(type); ++n) {
+                        const auto m = static_cast<std::size_t>(n);
+                        double x = quad8::natural[m][0];
+                        double y = quad8::natural[m][1];
+                        if (flip) {
+                            std::swap(x, y);
+                        }
+                        LatticeIndex at = middle;
+                        at[u] = i + (static_cast<std::int32_t>(x) + 1) * scale / 2;
+                        at[v] = j + (static_cast<std::int32_t>(y) + 1) * scale / 2;
+                        nodes.push_back(node(b, at));
+                    }
+                    group.indices.push_back(count++);
+                }
+            }
+        }
+    }
+    CellBlock block{type, Array<std::int32_t>(nodes.size())};
+    std::copy(nodes.begin(), nodes.end(), block.nodes.begin());
+    mesh.cells.push_back(std::move(block));
+    mesh.groups.merge(groups);
+}
+
+void Builder::make_node_groups() {
+    std::map<std::array<std::int32_t, 2>, std::vector<std::int32_t>> nodes;
+    const int codes = model.dimension == 2 ? 9 : part::count;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        const auto g = fine.divisions(b);
+        for (int code = 0; code < codes; ++code) {
+            const int dimension = part::dimension(code);
+            if (dimension > 1) {
+                continue;
+            }
+            for (const CadEntity &entity : binding.of(b, code)) {
+                if (entity.dimension != dimension) {
+                    continue;
+                }
+                auto &list = nodes[{entity.dimension, entity.index}];
+                LatticeIndex at{};
+                const auto digits = part::digits(code);
+                for (std::size_t d = 0; d < 3; ++d) {
+                    at[d] = digits[d] == 2 ? g[d] : 0;
+                }
+                if (dimension == 0) {
+                    list.push_back(node(b, at));
+                    continue;
+                }
+                const auto axis = static_cast<std::size_t>(part::axes(code).axis[0]);
+                for (at[axis] = 0; at[axis] <= g[axis]; ++at[axis]) {
+                    list.push_back(node(b, at));
+                }
+            }
+        }
+    }
+    for (auto &[entity, list] : nodes) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        mesh.groups[entity_name(entity[0], entity[1])] = {true, CellType::line, std::move(list)};
+    }
+}
+
+} // namespace
+
+Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
+                     const GenerateOptions &options, const Progress &progress) {
+    if (order != 1 && order != 2) {
+        throw ArgumentError("order: expected 1 or 2, got " + std::to_string(order));
+    }
+    const BlockModel &model = blocks.model;
+    validate(model);
+    const Topology topology = find_topology(model, options.tolerance);
+    if (!options.force) {
+        raise_conflicts(model, topology);
+    }
+    const Lattice coarse(model, topology);
+    const BlockModel fine_model = order == 2 ? doubled(model) : BlockModel{};
+    const BlockModel &finest = order == 2 ? fine_model : model;
+    // Shared parts are the same ones in both lattices.
+    const Lattice fine(finest, topology);
+    if (fine.node_count() > std::numeric_limits<std::int32_t>::max()) {
+        throw ArgumentError("divisions: the mesh would have " + std::to_string(fine.node_count()) +
+                            " nodes; node numbers end at 2147483647");
+    }
+    require_memory(76 * fine.node_count() + 4 * 20 * cell_count(model), "the mesh");
+
+    std::vector<Vec3> points(static_cast<std::size_t>(fine.node_count()));
+    fill_points(finest, fine, points, progress, 0.0, 0.2);
+    snap(shape, finest, blocks.binding, fine, points, progress, 0.2, 0.8);
+    Builder builder{model, finest, blocks.binding, topology, coarse, fine, order, {}, {}};
+    builder.number_nodes(points);
+    poll(progress, 0.9);
+    builder.make_cells();
+    if (model.dimension == 3) {
+        builder.make_boundary();
+    }
+    builder.make_node_groups();
+    poll(progress, 1.0);
+    return std::move(builder.mesh);
+}
+
+} // namespace nmgs::cad

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/mapped.h"
+
+#include "nmgs/element/hexa20.h"
+#include "nmgs/element/quad8.h"
+#include "nmgs_cad/edge_curve.h"
+#include "nmgs_cad/face_projection.h"
+#include "nmgs_cad/four_sides.h"
+
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace nmgs::cad {
+namespace {
+
+Vec3 vertex_point(const CadShape &shape, int n) {
+    const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(n));
+    return {p.X(), p.Y(), p.Z()};
+}
+
+// Lattice digits of the element's corner and mid-edge nodes, from their natural coordinates.
+int part_of_node(int dimension, std::size_t n) {
+    const auto digit = [](double natural) { return static_cast<int>(natural) + 1; };
+    return dimension == 2 ? part::code(digit(quad8::natural[n][0]), digit(quad8::natural[n][1]), 0)
+                          : part::code(digit(hexa20::natural[n][0]), digit(hexa20::natural[n][1]),
+                                       digit(hexa20::natural[n][2]));
+}
+
+// Largest distance of a patch from the face that it stands for, by sampling.
+void measure(const CadShape &shape, int face, std::span<const Vec3, 8> patch, FitEntry &entry) {
+    FaceProjection projection(shape.face(face));
+    constexpr int samples = 8;
+    for (int j = 0; j <= samples; ++j) {
+        for (int i = 0; i <= samples; ++i) {
+            const Vec3 p = quad8::map(patch, 2.0 * i / samples - 1, 2.0 * j / samples - 1);
+            const double d = distance(p, projection.nearest(p));
+            if (d > entry.error) {
+                entry.error = d;
+                entry.place = {p.x, p.y, p.z};
+            }
+        }
+    }
+}
+
+// Puts a block's nodes and binding behind those that are there. on[p] are the entities of part p.
+void append(CadBlocks &blocks, std::span<const Vec3> nodes,
+            const std::array<std::vector<CadEntity>, part::count> &on) {
+    blocks.model.nodes.insert(blocks.model.nodes.end(), nodes.begin(), nodes.end());
+    blocks.model.divisions.push_back({1, 1, blocks.model.dimension == 3 ? 1 : 0});
+    for (const auto &entities : on) {
+        blocks.binding.entities.insert(blocks.binding.entities.end(), entities.begin(),
+                                       entities.end());
+        blocks.binding.offsets.push_back(static_cast<std::int32_t>(blocks.binding.entities.size()));
+    }
+}
+
+void refuse(CadBlocks &blocks, CadEntity entity, std::string reason,
+            std::vector<std::string> blockers) {
+    FitEntry entry;
+    entry.entity = entity;
+    entry.reason = std::move(reason);
+    entry.blockers = std::move(blockers);
+    blocks.report.push_back(std::move(entry));
+}
+
+} // namespace
+
+void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks) {
+    SidesRefusal refusal;
+    const auto sides = four_sides(shape, face, refusal);
+    if (!sides) {
+        refuse(blocks, {2, face}, refusal.reason, refusal.blockers);
+        return;
+    }
+    std::array<Vec3, 8> nodes{};
+    std::array<std::vector<CadEntity>, part::count> on;
+    for (std::size_t i = 0; i < 4; ++i) {
+        nodes[i] = vertex_point(shape, sides->corner[i]);
+        nodes[4 + i] = EdgeCurve(shape.edge(sides->edge[i])).at(0.5);
+        on[static_cast<std::size_t>(part_of_node(2, i))] = {{0, sides->corner[i]}};
+        on[static_cast<std::size_t>(part_of_node(2, 4 + i))] = {{1, sides->edge[i]}};
+    }
+    on[static_cast<std::size_t>(part::code(1, 1, 0))] = {{2, face}};
+
+    FitEntry entry;
+    entry.entity = {2, face};
+    entry.method = "mapped";
+    entry.first_block = static_cast<std::int32_t>(blocks.model.size());
+    entry.blocks = 1;
+    measure(shape, face, nodes, entry);
+    append(blocks, nodes, on);
+    blocks.report.push_back(entry);
+}
+
+namespace {
+
+// The corners, edges and faces of a block as numbers of the shape, by part code.
+using BlockParts = std::array<int, part::count>;
+
+struct SolidSides {
+    std::map<int, FourSides> of_face;
+    // Edge between two corners, and face with two edges, of the solid.
+    std::map<std::array<int, 2>, int> edge;
+};
+
+std::array<int, 2> sorted(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+// The block that stands on the given face with its corner 1 at the start-th corner.
+bool make_parts(const SolidSides &sides, int bottom, std::size_t start, BlockParts &parts) {
+    parts.fill(0);
+    // Seen from inside, the bottom's corners run the other way round.
+    std::array<int, 8> corner{};
+    const FourSides &base = sides.of_face.at(bottom);
+    for (std::size_t i = 0; i < 4; ++i) {
+        corner[i] = base.corner[(start + 4 - i) % 4];
+    }
+    const std::set<int> base_edges(base.edge.begin(), base.edge.end());
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (const auto &[ends, edge] : sides.edge) {
+            if (!base_edges.contains(edge) && (ends[0] == corner[i] || ends[1] == corner[i])) {
+                corner[4 + i] = ends[0] == corner[i] ? ends[1] : ends[0];
+            }
+        }
+    }
+    for (std::size_t n = 0; n < 8; ++n) {
+        parts[static_cast<std::size_t>(part_of_node(3, n))] = corner[n];
+    }
+    constexpr std::array<std::array<std::size_t, 2>, 12> ends{{{0, 1},
+                                                               {1, 2},
+                                                               {2, 3},
+                                                               {3, 0},
+                                                               {4, 5},
+                                                               {5, 6},
+                                                               {6, 7},
+                                                               {7, 4},
+                                                               {0, 4},
+                                                               {1, 5},
+                                                               {2, 6},
+                                                               {3, 7}}};
+    for (std::size_t e = 0; e < 12; ++e) {
+        const auto found = sides.edge.find(sorted(corner[ends[e][0]], corner[ends[e][1]]));
+        if (found == sides.edge.end()) {
+            return false;
+        }
+        parts[static_cast<std::size_t>(part_of_node(3, 8 + e))] = found->second;
+    }
+    // A face is the one that has all four edges of the block's face.
+    for (int code = 0; code < part::count; ++code) {
+        if (part::dimension(code) != 2) {
+            continue;
+        }
+        const auto axes = part::axes(code);
+        std::set<int> wanted;
+        for (int d = 0; d < 2; ++d) {
+            for (const int end : {-1, 1}) {
+                auto digits = part::digits(code);
+                digits[static_cast<std::size_t>(axes.axis[static_cast<std::size_t>(d)])] += end;
+                wanted.insert(
+                    parts[static_cast<std::size_t>(part::code(digits[0], digits[1], digits[2]))]);
+            }
+        }
+        for (const auto &[face, four] : sides.of_face) {
+            if (std::set<int>(four.edge.begin(), four.edge.end()) == wanted) {
+                parts[static_cast<std::size_t>(code)] = face;
+            }
+        }
+        if (parts[static_cast<std::size_t>(code)] == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// How well xi, eta, zeta run along x, y, z: the sum of the three cosines.
+double alignment(std::span<const Vec3, 20> nodes) {
+    const auto centre = [&](std::array<std::size_t, 4> of) {
+        return 0.25 * (nodes[of[0]] + nodes[of[1]] + nodes[of[2]] + nodes[of[3]]);
+    };
+    const Vec3 xi = centre({1, 2, 5, 6}) - centre({0, 3, 4, 7});
+    const Vec3 eta = centre({2, 3, 6, 7}) - centre({0, 1, 4, 5});
+    const Vec3 zeta = centre({4, 5, 6, 7}) - centre({0, 1, 2, 3});
+    const auto cosine = [](double along, Vec3 v) { return norm(v) > 0 ? along / norm(v) : 0.0; };
+    return cosine(xi.x, xi) + cosine(eta.y, eta) + cosine(zeta.z, zeta);
+}
+
+std::array<Vec3, 20> nodes_of(const CadShape &shape, const BlockParts &parts) {
+    std::array<Vec3, 20> nodes{};
+    for (std::size_t n = 0; n < 20; ++n) {
+        const int index = parts[static_cast<std::size_t>(part_of_node(3, n))];
+        nodes[n] = n < 8 ? vertex_point(shape, index) : EdgeCurve(shape.edge(index)).at(0.5);
+    }
+    return nodes;
+}
+
+// Nodes of the block's face, as a patch.
+std::array<Vec3, 8> face_patch(std::span<const Vec3, 20> nodes, int code) {
+    const auto axes = part::axes(code);
+    const auto digits = part::digits(code);
+    std::array<Vec3, 8> patch{};
+    for (std::size_t i = 0; i < 8; ++i) {
+        std::array<double, 3> at{};
+        for (std::size_t d = 0; d < 3; ++d) {
+            at[d] = digits[d] - 1;
+        }
+        at[static_cast<std::size_t>(axes.axis[0])] = quad8::natural[i][0];
+        at[static_cast<std::size_t>(axes.axis[1])] = quad8::natural[i][1];
+        patch[i] = hexa20::map(nodes, at[0], at[1], at[2]);
+    }
+    return patch;
+}
+
+} // namespace
+
+void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
+    const CadEntity me{3, solid};
+    const std::string name = entity_name(3, solid);
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape.solid(solid), TopAbs_FACE, faces);
+    if (faces.Extent() != 6) {
+        refuse(blocks, me,
+               name + " has " + std::to_string(faces.Extent()) +
+                   " faces; six with four sides each are needed",
+               {name});
+        return;
+    }
+    SolidSides sides;
+    std::set<int> corners;
+    // The orientation of a face inside this solid, not that of its first use in the shape.
+    for (TopExp_Explorer it(shape.solid(solid), TopAbs_FACE); it.More(); it.Next()) {
+        const int face = shape.faces.FindIndex(it.Current());
+        SidesRefusal refusal;
+        auto four = four_sides(shape, face, refusal);
+        if (!four) {
+            refuse(blocks, me, refusal.reason, refusal.blockers);
+            return;
+        }
+        if (shape.face(face).Orientation() != it.Current().Orientation()) {
+            const FourSides other = *four;
+            for (std::size_t i = 0; i < 4; ++i) {
+                four->corner[i] = other.corner[3 - i];
+                four->edge[i] = other.edge[(6 - i) % 4];
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            corners.insert(four->corner[i]);
+            sides.edge[sorted(four->corner[i], four->corner[(i + 1) % 4])] = four->edge[i];
+        }
+        sides.of_face[face] = *four;
+    }
+    if (corners.size() != 8 || sides.edge.size() != 12) {
+        refuse(blocks, me,
+               name + " has six four-sided faces, but " + std::to_string(corners.size()) +
+                   " corners and " + std::to_string(sides.edge.size()) +
+                   " edges; a block has 8 and 12",
+               {name});
+        return;
+    }
+
+    BlockParts best{};
+    std::array<Vec3, 20> nodes{};
+    double best_alignment = -4;
+    for (const auto &[face, four] : sides.of_face) {
+        for (std::size_t start = 0; start < 4; ++start) {
+            BlockParts parts{};
+            if (!make_parts(sides, face, start, parts)) {
+                continue;
+            }
+            const auto candidate = nodes_of(shape, parts);
+            const double a = alignment(candidate);
+            // A solid that is stored inside out would give a mirrored block.
+            if (a > best_alignment + 1e-9 && hexa20::jacobian(candidate, 0, 0, 0) > 0) {
+                best_alignment = a;
+                best = parts;
+                nodes = candidate;
+            }
+        }
+    }
+    if (best_alignment == -4) {
+        refuse(blocks, me,
+               name +
+                   " has six four-sided faces that do not join as a block's do, or is inside out",
+               {name});
+        return;
+    }
+
+    FitEntry entry;
+    entry.entity = me;
+    entry.method = "mapped";
+    entry.first_block = static_cast<std::int32_t>(blocks.model.size());
+    entry.blocks = 1;
+    std::array<std::vector<CadEntity>, part::count> on;
+    for (int code = 0; code < part::count; ++code) {
+        const auto c = static_cast<std::size_t>(code);
+        const int dimension = part::dimension(code);
+        on[c] = {{dimension, dimension == 3 ? solid : best[c]}};
+        if (dimension == 2) {
+            measure(shape, best[c], face_patch(nodes, code), entry);
+        }
+    }
+    append(blocks, nodes, on);
+    blocks.report.push_back(entry);
+}
+
+} // namespace nmgs::cad

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Blocks from CAD: nmgs.fit. Needs FreeCAD's Part only through the shape that is handed in."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _kernel
+from .block_model import BlockModel, CadLink
+from .chain_divisions import divisions_by_size
+from .errors import BlockingError, GeometryError
+
+#: Strategies by name; "auto" takes the best.
+METHODS = ("auto", "mapped")
+
+
+def fit(
+    shape: Any,
+    size: Optional[float] = None,
+    tolerance: Optional[float] = None,
+    method: str = "auto",
+    progress: Optional[Callable[[float], Any]] = None,
+    entities: Optional[Sequence[str]] = None,
+) -> BlockModel:
+    """Blocks over CAD: one 8-node patch for each face with four sides, or one 20-node block for each
+    solid with six such faces.
+
+    shape: a Part.Shape, a list of them, or a document object. Solids are filled if it has any, else
+    its faces are covered. size: wanted length of an element's edge; None for a thirtieth of the
+    shape's diagonal. tolerance: largest distance of a block's face from the CAD that is accepted;
+    None accepts all, and the distance is in the report. entities: only these, all faces
+    ("Face3", ...) or all solids ("Solid1", ...). The model's report has an entry a face or solid.
+    Raises GeometryError when the shape is empty or not valid, BlockingError when no block could be
+    made, ValueError.
+    """
+    if method not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    if size is not None and not size > 0:
+        raise ValueError(f"size: expected a length above 0, got {size!r}")
+    if tolerance is not None and not tolerance > 0:
+        raise ValueError(f"tolerance: expected a length above 0, got {tolerance!r}")
+    part = as_shape(shape)
+    dimension, indices = _picked(part, entities)
+    _check_valid(part, dimension, indices)
+    kernel = _kernel.cad()
+    cad_shape = kernel.CadShape(brep_bytes(part))
+    raw = kernel.fit(cad_shape, dimension, indices)
+    report = raw["report"]
+    refused = [entry for entry in report if not entry["method"]]
+    if tolerance is not None:
+        for entry in report:
+            if entry["method"] and entry["error"] > tolerance:
+                entry["reason"] = (
+                    f"the block is {entry['error']:.3g} away from {entry['entity']} near "
+                    f"{tuple(round(c, 6) for c in entry['place'])}; {tolerance:.3g} is accepted"
+                )
+                refused.append(entry)
+    if not len(raw["nodes"]) or (tolerance is not None and refused):
+        names = [entry["entity"] for entry in refused]
+        reasons = [entry["reason"] for entry in refused]
+        raise BlockingError("no blocks: " + "; ".join(reasons), names, reasons)
+
+    link = CadLink(cad_shape, raw["offsets"], raw["entities"])
+    nodes = raw["nodes"]
+    wanted = cad_shape.diagonal / 30 if size is None else float(size)
+    model = BlockModel(nodes, divisions_by_size(nodes, link, wanted))
+    model.cad = link
+    model.report = report
+    return model
+
+
+def as_shape(source: Any) -> Any:
+    """The Part.Shape of a shape, a document object or a list of either. Raises TypeError."""
+    if isinstance(source, (list, tuple)):
+        if not source:
+            raise GeometryError("shape: the list is empty")
+        import Part  # only here: a single shape needs no import
+
+        shapes = [as_shape(item) for item in source]
+        return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+    shape = source if hasattr(source, "exportBinary") else getattr(source, "Shape", None)
+    if shape is None or not hasattr(shape, "exportBinary"):
+        raise TypeError(
+            f"shape: expected a Part.Shape or a document object with one, got {source!r}"
+        )
+    if shape.isNull():
+        raise GeometryError("shape: it is empty")
+    return shape
+
+
+def brep_bytes(shape: Any) -> bytes:
+    """OpenCASCADE's text BREP of a Part.Shape, in memory. (FreeCAD's exportBinary needs a file, and
+    what follows the shapes in it is FreeCAD's own, not OpenCASCADE's.)"""
+    return shape.exportBrepToString().encode("ascii")
+
+
+def _picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int]]:
+    counts = {"Solid": len(shape.Solids), "Face": len(shape.Faces)}
+    if entities is None:
+        kind = "Solid" if counts["Solid"] else "Face"
+        if not counts[kind]:
+            raise GeometryError("shape: it has no faces")
+        return (3 if kind == "Solid" else 2), list(range(1, counts[kind] + 1))
+    indices: List[int] = []
+    kinds = set()
+    for name in entities:
+        kind = name.rstrip("0123456789")
+        number = name[len(kind) :]
+        if kind not in counts or not number or not 1 <= int(number) <= counts[kind]:
+            raise ValueError(
+                f"entities: expected Face1 to Face{counts['Face']} or Solid1 to "
+                f"Solid{counts['Solid']}, got {name!r}"
+            )
+        kinds.add(kind)
+        if int(number) not in indices:
+            indices.append(int(number))
+    if len(kinds) != 1:
+        raise ValueError(f"entities: expected faces only or solids only, got {list(entities)!r}")
+    return (3 if kinds == {"Solid"} else 2), indices
+
+
+def _check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
+    parts = shape.Solids if dimension == 3 else shape.Faces
+    kind = "Solid" if dimension == 3 else "Face"
+    bad = [f"{kind}{n}" for n in indices if not parts[n - 1].isValid()]
+    if bad:
+        raise GeometryError(
+            f"shape: {', '.join(bad)} is not valid geometry (Part > Check Geometry tells more)", bad
+        )
+
+
+def generate_on_cad(
+    model: BlockModel,
+    order: int,
+    tolerance: float,
+    progress: Optional[Callable[[float], Any]],
+    force: bool = False,
+) -> dict:
+    """The kernel's mesh of a fitted model: points, cells and groups."""
+    link: CadLink = model.cad  # type: ignore[assignment]
+    return _kernel.cad().generate(
+        link.shape,
+        model.nodes,
+        model.divisions,
+        model.spacing,
+        link.offsets,
+        link.entities,
+        order=order,
+        tolerance=tolerance,
+        force=force,
+        progress=progress,
+    )
+
+
+def part_entities(model: BlockModel, block: int, part: int) -> np.ndarray:
+    """Entities (dimension, 1-based index) that a part of a block lies on; see CadLink."""
+    return model.cad.of(block, part) if model.cad is not None else np.zeros((0, 2), np.int32)
