@@ -14,6 +14,8 @@ FORMATS: Dict[str, Tuple[str, str, str]] = {
     "vtu": ("meshio_files", "read_mesh", "write_vtu"),
     "n2s": ("nmgs_files", "read_n2s", "write_n2s"),
     "n3s": ("nmgs_files", "read_n3s", "write_n3s"),
+    "n2r": ("nmgs_files", "read_n2r", "write_n2r"),
+    "n3r": ("nmgs_files", "read_n3r", "write_n3r"),
 }
 
 
