@@ -43,7 +43,7 @@ def message_boxes():
     return [
         widget
         for widget in QtGui.QApplication.topLevelWidgets()
-        if widget.objectName() == "NMGS_Error" and widget.isVisible()
+        if widget.objectName() == "NMGS_Message" and widget.isVisible()
     ]
 
 

@@ -85,8 +85,10 @@ class Blocking(DocumentObject):
     nodes_per_element = 0
     text = "Fitting"
     _model: Optional[nmgs.BlockModel] = None
-    #: The document's element of each name that the fit's report or error uses.
-    owners: Dict[str, sources.Entity] = {}
+    #: What the last fit started from, to find the document's names of what it says.
+    _picked: Optional[sources.Picked] = None
+    #: nmgs.fit's report of this session's last fit.
+    report: Sequence[Dict[str, Any]] = ()
 
     def compute(self, obj: Any) -> None:
         model = self._fitted(obj) if obj.Source else self._given(obj)
@@ -94,8 +96,9 @@ class Blocking(DocumentObject):
         if obj.Source:
             obj.Nodes = [FreeCAD.Vector(*node) for node in model.nodes.reshape(-1, 3)]
             obj.Divisions = [int(n) for n in model.divisions.ravel()]
-            obj.Report = report_lines(model.report, self.owners)
+            obj.Report = [self._line(entry) for entry in model.report]
         obj.ElementCount = len(model)
+        self.report = model.report
         self._model = model
 
     def _given(self, obj: Any) -> nmgs.BlockModel:
@@ -119,7 +122,7 @@ class Blocking(DocumentObject):
 
     def _fitted(self, obj: Any) -> nmgs.BlockModel:
         picked = sources.gather(obj.Source)
-        self.owners = picked.owners
+        self._picked = picked
         model = run(
             lambda progress: nmgs.fit(
                 picked.shape,
@@ -149,22 +152,21 @@ class Blocking(DocumentObject):
             self._model = self._fitted(obj) if obj.Source else self._given(obj)
         return self._model
 
+    def culprits(self, names: Sequence[str]) -> List[sources.Entity]:
+        """The document's elements that the fit names, e.g. in an error."""
+        owners = [self._picked.owner(name) for name in names] if self._picked else []
+        return [owner for owner in owners if owner is not None]
+
+    def _line(self, entry: Dict[str, Any]) -> str:
+        owner = self.culprits([entry["entity"]])
+        who = f"{owner[0][0].Label}.{owner[0][1]}" if owner else entry["entity"]
+        if entry["method"]:
+            return f"{who}: {entry['method']}, at most {entry['error']:.3g} off the CAD"
+        return f"{who}: left out, {entry['reason']}"
+
     def onChanged(self, obj: Any, prop: str) -> None:
         if prop in ("Source", "Nodes", "Divisions", "Reference", "Size", "Tolerance", "Method"):
             self._model = None
-
-
-def report_lines(report: Sequence[Any], owners: Dict[str, sources.Entity]) -> List[str]:
-    """nmgs.fit's report as lines of text, with the document's names."""
-    lines = []
-    for entry in report:
-        obj, name = owners.get(entry["entity"], (None, entry["entity"]))
-        who = f"{obj.Label}.{name}" if obj is not None else name
-        if entry["method"]:
-            lines.append(f"{who}: {entry['method']}, at most {entry['error']:.3g} off the CAD")
-        else:
-            lines.append(f"{who}: no block, {entry['reason']}")
-    return lines
 
 
 def fill(obj: Any, model: nmgs.BlockModel, path: str = "") -> None:
