@@ -7,5 +7,6 @@
 namespace nmgs::bindings {
 
 void bind_blocking(pybind11::module_ &module);
+void bind_formats(pybind11::module_ &module);
 
 } // namespace nmgs::bindings

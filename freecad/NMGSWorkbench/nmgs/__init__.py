@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
+from . import grading
 from .block_model import BlockModel
 from .cad import fit
 from .errors import (
@@ -12,6 +13,7 @@ from .errors import (
     KernelMissing,
     TetGenError,
 )
+from .fem import to_fem
 from .io import read, write
 from .mesh import Mesh
 
@@ -25,7 +27,12 @@ __all__ = [
     "KernelMissing",
     "Mesh",
     "TetGenError",
+<<<<<<< HEAD
     "fit",
+=======
+    "grading",
+>>>>>>> blocking
     "read",
+    "to_fem",
     "write",
 ]

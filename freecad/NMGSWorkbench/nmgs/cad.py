@@ -133,7 +133,7 @@ def generate_on_cad(
         link.shape,
         model.nodes,
         model.divisions,
-        None,
+        model.spacing,
         link.offsets,
         link.entities,
         order=order,
