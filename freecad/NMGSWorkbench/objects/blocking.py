@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 
 from .. import nmgs
-from . import sources
+from . import gradings, sources
 from .base import DocumentObject
 from .block_edges import edges_shape
 from .run import run
@@ -65,6 +65,14 @@ PROPERTIES = (
         None,
         0,
     ),
+    (
+        "App::PropertyStringList",
+        "Grading",
+        "Elements",
+        "Spacing of each element's directions; empty where all are uniform",
+        None,
+        1,
+    ),
     ("App::PropertyString", "Reference", "Elements", "The user's reference text", None, 0),
     ("App::PropertyInteger", "ElementCount", "Elements", "Number of elements", None, 1),
     (
@@ -109,7 +117,9 @@ class Blocking(DocumentObject):
             )
         nodes = np.array([tuple(node) for node in obj.Nodes], dtype=np.float64)
         nodes = nodes.reshape(count, self.nodes_per_element, 3)
-        return nmgs.BlockModel(nodes, self._divisions(obj, count), obj.Reference)
+        model = nmgs.BlockModel(nodes, self._divisions(obj, count), obj.Reference)
+        gradings.put(model, obj.Grading)
+        return model
 
     def _divisions(self, obj: Any, count: int) -> np.ndarray:
         directions = 2 if self.nodes_per_element == 8 else 3
@@ -143,6 +153,8 @@ class Blocking(DocumentObject):
             wanted = self._divisions(obj, len(model))
             if (wanted != model.divisions).any():
                 model.divisions = model._checked_divisions(wanted)
+        if not obj.AutoDivisions:
+            gradings.put(model, obj.Grading)
         model.reference = model._checked_reference(obj.Reference)
         return model
 
@@ -165,7 +177,7 @@ class Blocking(DocumentObject):
         return f"{who}: left out, {entry['reason']}"
 
     def onChanged(self, obj: Any, prop: str) -> None:
-        if prop in ("Source", "Nodes", "Divisions", "Reference", "Size", "Tolerance", "Method"):
+        if prop in ("Source", "Nodes", "Divisions", "Grading", "Reference", "Size", "Tolerance", "Method"):
             self._model = None
 
 
@@ -173,6 +185,7 @@ def fill(obj: Any, model: nmgs.BlockModel, path: str = "") -> None:
     """Puts a model that was read or typed into obj's properties."""
     obj.Nodes = [FreeCAD.Vector(*node) for node in model.nodes.reshape(-1, 3)]
     obj.Divisions = [int(n) for n in model.divisions.ravel()]
+    obj.Grading = gradings.lines(model)
     obj.Reference = model.reference
     obj.File = path
     obj.AutoDivisions = False
