@@ -7,4 +7,7 @@ PYBIND11_MODULE(core, module) {
     nmgs::bindings::register_errors();
     nmgs::bindings::bind_blocking(module);
     nmgs::bindings::bind_formats(module);
+    nmgs::bindings::bind_convert(module);
+    nmgs::bindings::bind_mesh(module);
+    nmgs::bindings::bind_quality(module);
 }

@@ -16,6 +16,8 @@ from .errors import (
 from .fem import to_fem
 from .io import read, write
 from .mesh import Mesh
+from .plc import PLC
+from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
     "BlockModel",
@@ -26,13 +28,13 @@ __all__ = [
     "GeometryError",
     "KernelMissing",
     "Mesh",
+    "PLC",
     "TetGenError",
-<<<<<<< HEAD
+    "TetOptions",
     "fit",
-=======
     "grading",
->>>>>>> blocking
     "read",
     "to_fem",
+    "tetrahedralize",
     "write",
 ]
