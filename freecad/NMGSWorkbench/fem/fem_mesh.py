@@ -7,6 +7,7 @@ from typing import Any, Dict, Tuple
 
 import numpy as np
 
+from ..nmgs import _kernel
 from ..nmgs.mesh import CELL_TYPES, Mesh
 
 #: Fem.FemMesh's node order, as indices into VTK's; found by Jacobian signs and by CalculiX.
@@ -74,16 +75,19 @@ def fem_mesh(mesh: Mesh) -> Any:
 
 def _with_boundary(mesh: Mesh) -> Mesh:
     """The mesh with every outer face of its volumes among its cells, those that exist first."""
-    if not any(CELL_TYPES[name][1] == 3 for name in mesh.cells):
+    volumes = {name: nodes for name, nodes in mesh.cells.items() if CELL_TYPES[name][1] == 3}
+    if not volumes:
         return mesh
     cells = dict(mesh.cells)
-    for name, faces in mesh.boundary_cells().items():
-        present = cells.get(name)
-        if present is None:
-            cells[name] = faces
-            continue
-        known = {tuple(sorted(row)) for row in present.tolist()}
-        missing = [row for row in faces.tolist() if tuple(sorted(row)) not in known]
-        if missing:
-            cells[name] = np.concatenate([present, np.array(missing, dtype=np.int32)])
+    for name, (faces, _, _) in _kernel.core().boundary(len(mesh.points), volumes).items():
+        present = cells.get(name, faces[:0])
+        cells[name] = np.concatenate([present, faces[~_among(faces, present)]])
     return Mesh(mesh.points, cells, mesh.groups, model=mesh.model)
+
+
+def _among(rows: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """bool (len(rows),): whether a row's nodes, in any order, are those of one of the others."""
+    whole = np.sort(np.concatenate([rows, others]), axis=1)
+    _, number = np.unique(whole, axis=0, return_inverse=True)
+    number = number.reshape(-1)
+    return np.isin(number[: len(rows)], number[len(rows) :])
