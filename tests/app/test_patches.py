@@ -10,7 +10,16 @@ from freecad.NMGSWorkbench.nmgs import grading
 from freecad.NMGSWorkbench.objects import make, patches
 
 #: A flat patch of 2 x 1, corners first.
-SQUARE = [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0], [1, 0, 0], [2, 0.5, 0], [1, 1, 0], [0, 0.5, 0]]
+SQUARE = [
+    [0, 0, 0],
+    [2, 0, 0],
+    [2, 1, 0],
+    [0, 1, 0],
+    [1, 0, 0],
+    [2, 0.5, 0],
+    [1, 1, 0],
+    [0, 0.5, 0],
+]
 
 
 def nodes_of(obj):
@@ -88,7 +97,7 @@ def test_divisions_by_hand_stay(document, box):
 
 def test_given_patches_survive_a_file(document, tmp_path):
     model = nmgs.BlockModel(np.array([SQUARE], float), [4, 3], "my square")
-    model.set_grading(0, 0, grading.geometric(ratio=1.5))
+    model.grading[0][0] = grading.geometric(ratio=1.5)
     obj = make.blocks_from_model(document, model)
     document.recompute()
     again = reopened(document, tmp_path).getObject("Patches")
@@ -115,7 +124,10 @@ def test_fitted_patches_survive_a_file(document, box, tmp_path):
 @pytest.mark.parametrize(
     "change, words",
     [
-        (lambda obj, box: setattr(obj, "Source", [(box, ("Edge1",))]), "expected a face or a solid"),
+        (
+            lambda obj, box: setattr(obj, "Source", [(box, ("Edge1",))]),
+            "expected a face or a solid",
+        ),
         (lambda obj, box: setattr(obj, "Method", "magic"), "magic"),
         (lambda obj, box: setattr(obj, "Source", [(box, ("Solid1",))]), "elements of 8 nodes"),
         (

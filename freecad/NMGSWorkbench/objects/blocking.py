@@ -177,7 +177,16 @@ class Blocking(DocumentObject):
         return f"{who}: left out, {entry['reason']}"
 
     def onChanged(self, obj: Any, prop: str) -> None:
-        if prop in ("Source", "Nodes", "Divisions", "Grading", "Reference", "Size", "Tolerance", "Method"):
+        if prop in (
+            "Source",
+            "Nodes",
+            "Divisions",
+            "Grading",
+            "Reference",
+            "Size",
+            "Tolerance",
+            "Method",
+        ):
             self._model = None
 
 
