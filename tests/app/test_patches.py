@@ -98,7 +98,7 @@ def test_divisions_by_hand_stay(document, box):
 def test_given_patches_survive_a_file(document, tmp_path):
     model = nmgs.BlockModel(np.array([SQUARE], float), [4, 3], "my square")
     model.grading[0][0] = grading.geometric(ratio=1.5)
-    obj = make.blocks_from_model(document, model)
+    make.blocks_from_model(document, model)
     document.recompute()
     again = reopened(document, tmp_path).getObject("Patches")
     found = again.Proxy.model(again)
