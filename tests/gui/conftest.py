@@ -96,6 +96,7 @@ def screenshot(name: str) -> None:
     """The whole window into the folder for pictures, if there is one."""
     folder = os.environ.get("NMGS_SCREENSHOTS")
     if folder:
+        FreeCADGui.SendMsgToActiveView("ViewFit")
         process_events(300)
         # The screen, not the widget: only the screen has the 3D view.
         picture = QtGui.QApplication.primaryScreen().grabWindow(0)

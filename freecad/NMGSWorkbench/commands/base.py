@@ -46,12 +46,17 @@ class Command:
         raise NotImplementedError
 
     def computed(self, obj: Any) -> Any:
-        """obj, recomputed. Raises what its recompute raised."""
-        obj.Document.recompute([obj])
-        failure = obj.Proxy.failure
-        if failure is not None:
-            self.culprits = obj.Proxy.culprits(getattr(failure, "entities", ()))
-            raise failure
+        """obj, computed. Raises what its computation raised."""
+        sources = [source for source in obj.OutList if "Touched" in source.State]
+        if sources:
+            obj.Document.recompute(sources)
+        # Not by the document: that would write a traceback into the report view for each error.
+        try:
+            obj.Proxy.compute(obj)
+        except Exception as error:
+            self.culprits = obj.Proxy.culprits(getattr(error, "entities", ()))
+            raise
+        obj.purgeTouched()
         return obj
 
     def Activated(self, index: int = 0) -> None:

@@ -26,5 +26,8 @@ class FitBlocks(Command):
         obj = blocks.make(document)
         obj.Source = source
         self.computed(obj)
+        # The blocks are inside the solids and would not be seen.
+        for part, _ in source:
+            part.Visibility = False
         report_left_out(self.menu_text, obj)
         return obj

@@ -70,7 +70,8 @@ class DocumentObject:
             self.compute(obj)
         except Exception as error:
             self.failure = error
-            raise
+            # FreeCAD writes a traceback of all callers into the report view; this one is enough.
+            raise error.with_traceback(None)
 
     def culprits(self, names: Sequence[str]) -> List[Tuple[Any, str]]:
         """The document's elements that an error of this object names."""

@@ -40,8 +40,7 @@ def _box(title: str, text: str, details: Sequence[str]) -> Any:
     box.setObjectName("NMGS_Message")
     box.setWindowTitle("NMGS")
     box.setIcon(QtGui.QMessageBox.Warning)
-    box.setText(title)
-    box.setInformativeText(text)
+    box.setText(f"{title}\n\n{text}")
     if details:
         box.setDetailedText("\n".join(details))
     box.finished.connect(box.deleteLater)
