@@ -9,6 +9,9 @@ from typing import Any, Dict, Optional, Tuple
 
 #: format name -> (module beside this one, reader or "", writer or "")
 FORMATS: Dict[str, Tuple[str, str, str]] = {
+    "inp": ("abaqus_file", "read_inp", "write_inp"),
+    "vtk": ("meshio_files", "read_mesh", ""),
+    "vtu": ("meshio_files", "read_mesh", "write_vtu"),
     "n2s": ("nmgs_files", "read_n2s", "write_n2s"),
     "n3s": ("nmgs_files", "read_n3s", "write_n3s"),
 }
