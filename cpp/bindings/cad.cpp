@@ -6,6 +6,7 @@
 
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/mapped.h"
+#include "nmgs_cad/refine.h"
 
 #include <Standard_Version.hxx>
 
@@ -35,15 +36,19 @@ py::dict entry_dict(const cad::FitEntry &entry) {
 }
 
 // {nodes, offsets, entities, report} of faces (dimension 2) or solids (3).
-py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices) {
+py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices,
+             double tolerance, const py::object &progress) {
     CadBlocks blocks;
     blocks.model.dimension = dimension;
     {
+        const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
         for (const int n : indices) {
             dimension == 2 ? cad::fit_mapped_face(shape, n, blocks)
                            : cad::fit_mapped_solid(shape, n, blocks);
         }
+        constexpr int rounds = 6;
+        blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
     }
     py::list report;
     for (const auto &entry : blocks.report) {
@@ -108,7 +113,8 @@ PYBIND11_MODULE(cad, module) {
         .def_property_readonly("vertices",
                                [](const nmgs::cad::CadShape &s) { return s.vertices.Extent(); })
         .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
-    module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"));
+    module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"),
+               py::arg("tolerance"), py::arg("progress") = py::none());
     module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("ignore_conflicts") = false,

@@ -5,7 +5,10 @@
 #include "mesh.h"
 
 #include "nmgs/blocking/generate.h"
+#include "nmgs/blocking/grading.h"
 #include "nmgs/support/parallel.h"
+
+#include <optional>
 
 namespace nmgs::bindings {
 namespace {
@@ -23,11 +26,41 @@ py::dict generate_mesh(const DoubleArray &nodes, const IntArray &divisions,
     return give_mesh(std::move(mesh));
 }
 
+py::array_t<double> grading_positions(const std::string &kind, std::int32_t count,
+                                      std::optional<double> ratio, std::optional<double> first,
+                                      std::optional<double> last, const DoubleArray &values,
+                                      bool reverse) {
+    std::vector<double> positions;
+    if (kind == "geometric") {
+        positions = ratio   ? grading::geometric(count, *ratio)
+                    : first ? grading::geometric_first(count, *first)
+                            : grading::geometric_last(count, last.value());
+    } else if (kind == "two_sided") {
+        positions = ratio ? grading::two_sided(count, *ratio)
+                          : grading::two_sided(count, first.value(), last.value());
+    } else if (kind == "tanh") {
+        positions = first && last ? grading::tanh(count, *first, *last)
+                    : first       ? grading::tanh_first(count, *first)
+                                  : grading::reversed(grading::tanh_first(count, last.value()));
+    } else {
+        positions =
+            grading::explicit_positions({values.data(), static_cast<std::size_t>(values.size())});
+    }
+    if (reverse) {
+        positions = grading::reversed(positions);
+    }
+    const auto size = static_cast<py::ssize_t>(positions.size());
+    return give(std::move(positions), {size});
+}
+
 } // namespace
 
 void bind_blocking(py::module_ &module) {
     module.def("set_threads", &set_threads, py::arg("count"),
                "Threads of the kernel; 0 for as many as the machine has.");
+    module.def("grading_positions", &grading_positions, py::arg("kind"), py::arg("count"),
+               py::arg("ratio"), py::arg("first"), py::arg("last"), py::arg("values"),
+               py::arg("reverse"), "Positions from 0 to 1 of a grading; see blocking/grading.h.");
     module.def("generate", &generate_mesh, py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing") = py::none(), py::arg("tolerance") = -1.0,
                py::arg("ignore_conflicts") = false, py::arg("progress") = py::none(),

@@ -4,7 +4,6 @@
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs_cad/edge_curve.h"
-#include "nmgs_cad/face_projection.h"
 #include "nmgs_cad/four_sides.h"
 
 #include <BRep_Tool.hxx>
@@ -30,22 +29,6 @@ int part_of_node(int dimension, std::size_t n) {
     return dimension == 2 ? part::code(digit(quad8::natural[n][0]), digit(quad8::natural[n][1]), 0)
                           : part::code(digit(hexa20::natural[n][0]), digit(hexa20::natural[n][1]),
                                        digit(hexa20::natural[n][2]));
-}
-
-// Largest distance of a patch from the face that it stands for, by sampling.
-void measure(const CadShape &shape, int face, std::span<const Vec3, 8> patch, FitEntry &entry) {
-    FaceProjection projection(shape.face(face));
-    constexpr int samples = 8;
-    for (int j = 0; j <= samples; ++j) {
-        for (int i = 0; i <= samples; ++i) {
-            const Vec3 p = quad8::map(patch, 2.0 * i / samples - 1, 2.0 * j / samples - 1);
-            const double d = distance(p, projection.nearest(p));
-            if (d > entry.error) {
-                entry.error = d;
-                entry.place = {p.x, p.y, p.z};
-            }
-        }
-    }
 }
 
 // Puts a block's nodes and binding behind those that are there. on[p] are the entities of part p.
@@ -93,7 +76,6 @@ void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks) {
     entry.method = "mapped";
     entry.first_block = static_cast<std::int32_t>(blocks.model.size());
     entry.blocks = 1;
-    measure(shape, face, nodes, entry);
     append(blocks, nodes, on);
     blocks.report.push_back(entry);
 }
@@ -200,23 +182,6 @@ std::array<Vec3, 20> nodes_of(const CadShape &shape, const BlockParts &parts) {
     return nodes;
 }
 
-// Nodes of the block's face, as a patch.
-std::array<Vec3, 8> face_patch(std::span<const Vec3, 20> nodes, int code) {
-    const auto axes = part::axes(code);
-    const auto digits = part::digits(code);
-    std::array<Vec3, 8> patch{};
-    for (std::size_t i = 0; i < 8; ++i) {
-        std::array<double, 3> at{};
-        for (std::size_t d = 0; d < 3; ++d) {
-            at[d] = digits[d] - 1;
-        }
-        at[static_cast<std::size_t>(axes.axis[0])] = quad8::natural[i][0];
-        at[static_cast<std::size_t>(axes.axis[1])] = quad8::natural[i][1];
-        patch[i] = hexa20::map(nodes, at[0], at[1], at[2]);
-    }
-    return patch;
-}
-
 } // namespace
 
 void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
@@ -301,9 +266,6 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
         const auto c = static_cast<std::size_t>(code);
         const int dimension = part::dimension(code);
         on[c] = {{dimension, dimension == 3 ? solid : best[c]}};
-        if (dimension == 2) {
-            measure(shape, best[c], face_patch(nodes, code), entry);
-        }
     }
     append(blocks, nodes, on);
     blocks.report.push_back(entry);

@@ -217,7 +217,7 @@ std::string_view TextReader::take() {
     return {first, static_cast<std::size_t>(at_ - first)};
 }
 
-std::string_view TextReader::word() {
+bool TextReader::skip_to_text() {
     for (;;) {
         while (at_ < end_ && is_space(*at_)) {
             if (*at_ == '\n') {
@@ -229,14 +229,18 @@ std::string_view TextReader::word() {
         if (at_ == end_) {
             if (!fill()) {
                 word_line_ = line_;
-                return {};
+                return false;
             }
             continue;
         }
         if (!skip_comment()) {
-            return take();
+            return true;
         }
     }
+}
+
+std::string_view TextReader::word() {
+    return skip_to_text() ? take() : std::string_view();
 }
 
 bool TextReader::at_line_end() {

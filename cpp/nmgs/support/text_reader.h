@@ -34,6 +34,8 @@ public:
     std::string_view word_on_line();
     // True when only white space and comments are left on the line.
     bool at_line_end();
+    // To the next word, on this line or a later one, without taking it; false at the end of file.
+    bool skip_to_text();
     // Leaves the rest of the line out.
     void skip_line();
     // The rest of the line as it is, comments included, without its line end; then the next line

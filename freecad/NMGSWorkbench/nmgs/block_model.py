@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional
+from typing import Any, Callable, List, Optional
 
 import numpy as np
 
 from . import _kernel
+from .grading import Grading
 from .mesh import Mesh
 
 
@@ -63,6 +64,8 @@ class BlockModel:
         self.reference = self._checked_reference(reference)
         #: The CAD that nmgs.fit laid the blocks over, or None.
         self.cad: Optional[CadLink] = None
+        #: grading[element][direction]: a Grading. Uniform where nothing is set; see set_grading.
+        self.grading = [[Grading()] * self.dimension for _ in range(len(self))]
         #: What nmgs.fit found out, one entry a face or solid; empty for other models.
         self.report: list = []
 
@@ -100,6 +103,26 @@ class BlockModel:
             raise ValueError("reference: expected one line of text")
         return reference
 
+    @property
+    def spacing(self) -> List[Optional[np.ndarray]]:
+        """Positions from 0 to 1 of the lattice planes, of all elements' directions one after the
+        other; None where uniform. Raises ValueError naming the element and direction."""
+        if len(self.grading) != len(self) or any(len(g) != self.dimension for g in self.grading):
+            raise ValueError(
+                f"grading: expected {len(self)} elements of {self.dimension} directions"
+            )
+        result = []
+        for element, (row, counts) in enumerate(zip(self.grading, self.divisions)):
+            for direction, (grading, count) in enumerate(zip(row, counts)):
+                try:
+                    result.append(grading.positions(int(count)))
+                except ValueError as error:
+                    name = ("xi", "eta", "zeta")[direction]
+                    raise ValueError(
+                        f"grading: element {element + 1} along {name}: {error}"
+                    ) from error
+        return result
+
     def generate(
         self,
         tolerance: Optional[float] = None,
@@ -125,7 +148,11 @@ class BlockModel:
             raw = generate_on_cad(self, order, accepted, progress)
             return Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
         raw = _kernel.core().generate(
-            self.nodes, self.divisions, tolerance=accepted, progress=progress
+            self.nodes,
+            self.divisions,
+            spacing=self.spacing,
+            tolerance=accepted,
+            progress=progress,
         )
         mesh = Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
         return mesh if order == 1 else mesh.to_order(2)

@@ -8,7 +8,10 @@ import os
 from typing import Any, Dict, Optional, Tuple
 
 #: format name -> (module beside this one, reader or "", writer or "")
-FORMATS: Dict[str, Tuple[str, str, str]] = {}
+FORMATS: Dict[str, Tuple[str, str, str]] = {
+    "n2s": ("nmgs_files", "read_n2s", "write_n2s"),
+    "n3s": ("nmgs_files", "read_n3s", "write_n3s"),
+}
 
 
 def _format_of(path: str, format: Optional[str]) -> str:

@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Tuple
 
 import numpy as np
 
+from . import _kernel
+
 if TYPE_CHECKING:
     from .block_model import BlockModel
+    from .report import Report
 
 #: Nodes of a cell and its dimension, by meshio's name of the type.
 CELL_TYPES: Dict[str, Tuple[int, int]] = {
@@ -35,7 +38,7 @@ class Mesh:
     """Points, cells by type and named groups.
 
     points: float64 (N, 3). cells: meshio's cell name -> int32 (M, k), 0-based, VTK's node order.
-    groups: name -> (cell name | "node", int32 indices). model: the BlockModel it came from, or None.
+    groups: name -> (cell name | "node", int32 indices). model: the BlockModel it came from, if any.
     Raises ValueError that names the argument when shapes or indices are wrong.
     """
 
@@ -54,6 +57,9 @@ class Mesh:
         for name, (kind, indices) in (groups or {}).items():
             self.groups[name] = (kind, self._checked_group(name, kind, indices))
         self.model = model
+        #: Of a mesh made by to_order: int32 (E, 2), the end nodes of each mid-side node's edge;
+        #: the mid-side nodes are the last E points. None for other meshes.
+        self.mid_side_ends: Optional[np.ndarray] = None
 
     def _checked_cells(self, name: str, nodes: np.ndarray) -> np.ndarray:
         if name not in CELL_TYPES:
@@ -79,6 +85,78 @@ class Mesh:
         if array.ndim != 1 or (array.size and (array.min() < 0 or array.max() >= count)):
             raise ValueError(f"groups[{name!r}]: indices must be 0 to {count - 1}, one-dimensional")
         return array
+
+    def split(self, progress: Optional[Callable[[float], Any]] = None) -> "Mesh":
+        """Triangles and tetrahedra: each quad gives 2 triangles, each hexahedron 12 tetrahedra.
+
+        Quads and faces are split by the shorter diagonal. Of equal ones, a surface's quad joins its
+        nodes 2 and 4 (the thesis's TP 1); a face of hexahedra, and a quad in a mesh that has volume
+        cells, takes the one at its lowest node number, so that all that share the face agree.
+        Points keep their numbers; one node at the centroid of each hexahedron is appended, in the
+        order of the hexahedra. Cell 2 q and 2 q + 1 come from quad q, 12 h to 12 h + 11 from
+        hexahedron h, behind triangles and tetrahedra that were there. Groups follow their cells.
+        Raises ValueError for quadratic cells (raise the order afterwards), wedges and pyramids.
+        """
+        from . import convert  # only here: convert.py imports this module
+
+        return convert.split(self, progress)
+
+    def related_nodes(
+        self, progress: Optional[Callable[[float], Any]] = None
+    ) -> Tuple[np.ndarray, np.ndarray]:
+        """(offsets, neighbours): the nodes that an edge of an element joins to node n, ascending,
+        are neighbours[offsets[n]:offsets[n + 1]]. int64 (N + 1,), int32.
+
+        Those of a triangulated surface, as N2R has them, are mesh.split().related_nodes().
+        """
+        return _kernel.core().related_nodes(len(self.points), self.cells, progress)
+
+    def boundary(self, progress: Optional[Callable[[float], Any]] = None) -> "Mesh":
+        """Outer faces of the volume cells, seen from outside; of a surface mesh its free edges.
+
+        Only the points in use, in their order. Groups of nodes and of surface cells keep what lies
+        on the boundary. Interior walls between volume cells are not part of it.
+        """
+        from . import convert  # only here: convert.py imports this module
+
+        return convert.boundary_with_parents(self, progress)[0]
+
+    def to_order(self, order: int = 2, progress: Optional[Callable[[float], Any]] = None) -> "Mesh":
+        """Quadratic cells (quad8, hexahedron20, triangle6, tetra10, ...) with a node on each edge.
+
+        Points keep their numbers; mid-side nodes follow in the order in which the cells first name
+        their edges. Groups of cells stay as they are. A group of nodes gains the mid-side node of
+        an edge with both ends in the group when the edge is on the boundary or a line cell, or a
+        cell with that edge has all its corners in the group.
+        Raises ValueError for order other than 2, and for cells that are quadratic already.
+        """
+        from . import convert  # only here: convert.py imports this module
+
+        return convert.to_order(self, order, progress)
+
+    def quality(
+        self, metric: str = "scaled_jacobian", progress: Optional[Callable[[float], Any]] = None
+    ) -> Dict[str, np.ndarray]:
+        """Cell name -> float64 (M,), for the cell types for which the metric is defined.
+
+        metric: scaled_jacobian, shape, aspect_ratio, edge_ratio, skew, warpage, min_angle,
+        max_angle (of volume cells between faces), radius_edge_ratio, length, area, volume,
+        min_jacobian, jacobian_ratio (of quadratic cells). Definitions are Verdict's; docs and the
+        kernel's headers say the rest. Angles in degrees. Raises ValueError for other names.
+        """
+        return _kernel.core().quality(self.points, self.cells, metric, progress)
+
+    def report(
+        self,
+        bins: int = 10,
+        worst: int = 10,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> "Report":
+        """Counts, bounds, size, and of each metric worst, mean, histogram (bins) and the `worst`
+        cells with their place. print(mesh.report()) shows it."""
+        from .report import report
+
+        return report(self, bins, worst, progress)
 
     def __repr__(self) -> str:
         cells = ", ".join(f"{len(nodes)} {name}" for name, nodes in self.cells.items())

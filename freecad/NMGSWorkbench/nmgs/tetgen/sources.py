@@ -182,7 +182,9 @@ def extra_arrays(
         extra["point_sizes"] = _per(sizes, "sizes", len(arrays["points"]), "point")
         options.sizes = True
     if volumes is not None:
-        extra["tetra_volumes"] = _per(volumes, "volumes", len(arrays.get("tetra", ())), "tetrahedron")
+        extra["tetra_volumes"] = _per(
+            volumes, "volumes", len(arrays.get("tetra", ())), "tetrahedron"
+        )
         options.volumes = True
     if added_points is not None:
         extra["added_points"] = _points(added_points, "added_points")
@@ -202,9 +204,7 @@ def extra_arrays(
 def _per(values: Any, argument: str, count: int, what: str) -> np.ndarray:
     array = np.ascontiguousarray(values, dtype=np.float64).reshape(-1)
     if len(array) != count:
-        raise ValueError(
-            f"{argument}: expected {count} numbers, one a {what}, got {len(array)}"
-        )
+        raise ValueError(f"{argument}: expected {count} numbers, one a {what}, got {len(array)}")
     if not np.isfinite(array).all():
         raise ValueError(f"{argument}: number {int(np.argmin(np.isfinite(array)))} is not finite")
     return array

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core.h"
+#include "mesh_arrays.h"
+
+#include "nmgs/convert/hexa_to_tetra.h"
+#include "nmgs/convert/quad_to_triangle.h"
+#include "nmgs/convert/raise_order.h"
+#include "nmgs/support/error.h"
+#include "nmgs/support/memory.h"
+
+#include <limits>
+
+namespace nmgs::bindings {
+namespace {
+
+EqualDiagonals rule_of(bool lowest_node) {
+    return lowest_node ? EqualDiagonals::lowest_node : EqualDiagonals::second_and_fourth;
+}
+
+py::array_t<std::int32_t> quads_to_triangles(const DoubleArray &points, const IntArray &quads,
+                                             bool lowest_node, const py::object &progress) {
+    const auto p = points_of(points);
+    const auto q = cells_of(quads, 4, "quads");
+    Array<std::int32_t> triangles;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        const CellView view{CellType::quad, q};
+        check_nodes({&view, 1}, p.size());
+        triangles = Array<std::int32_t>(q.size() / 4 * 6);
+        split_quads(p, q, rule_of(lowest_node), {triangles.data(), triangles.size()}, listener);
+    }
+    return give_cells(std::move(triangles), 3);
+}
+
+py::array_t<std::uint8_t> parameters(const DoubleArray &points, const IntArray &quads,
+                                     bool lowest_node) {
+    const auto p = points_of(points);
+    const auto q = cells_of(quads, 4, "quads");
+    Array<std::uint8_t> values;
+    {
+        const py::gil_scoped_release release;
+        const CellView view{CellType::quad, q};
+        check_nodes({&view, 1}, p.size());
+        values = Array<std::uint8_t>(q.size() / 4);
+        triangulation_parameters(p, q, rule_of(lowest_node), {values.data(), values.size()});
+    }
+    const auto count = static_cast<py::ssize_t>(values.size());
+    return give<std::uint8_t>(std::move(values), {count});
+}
+
+py::tuple hexahedra_to_tetrahedra(const DoubleArray &points, const IntArray &hexahedra,
+                                  const py::object &progress) {
+    const auto p = points_of(points);
+    const auto h = cells_of(hexahedra, 8, "hexahedra");
+    const std::size_t count = h.size() / 8;
+    Array<Vec3> all;
+    Array<std::int32_t> tetrahedra;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        const CellView view{CellType::hexahedron, h};
+        check_nodes({&view, 1}, p.size());
+        if (p.size() + count > std::numeric_limits<std::int32_t>::max()) {
+            throw ArgumentError("hexahedra: the mesh would have " +
+                                std::to_string(p.size() + count) +
+                                " nodes; node numbers end at 2147483647");
+        }
+        require_memory(static_cast<std::int64_t>(192 * count + 24 * (p.size() + count)),
+                       "the tetrahedra");
+        all = Array<Vec3>(p.size() + count);
+        std::copy(p.begin(), p.end(), all.begin());
+        tetrahedra = Array<std::int32_t>(48 * count);
+        split_hexahedra(p, h, static_cast<std::int32_t>(p.size()),
+                        {tetrahedra.data(), tetrahedra.size()}, {all.data() + p.size(), count},
+                        listener);
+    }
+    return py::make_tuple(give_points(std::move(all)), give_cells(std::move(tetrahedra), 4));
+}
+
+py::dict quadratic(const DoubleArray &points, const py::dict &cells, const py::object &progress) {
+    const auto p = points_of(points);
+    const CellArrays input = cell_arrays_of(cells);
+    QuadraticMesh mesh;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        mesh = raise_order(p, input.views, {}, listener);
+    }
+    py::dict result;
+    result["points"] = give_points(std::move(mesh.points));
+    result["cells"] = give_blocks(std::move(mesh.cells));
+    const auto count = static_cast<py::ssize_t>(mesh.ends.size());
+    auto owner = std::make_unique<std::vector<std::array<std::int32_t, 2>>>(std::move(mesh.ends));
+    auto *data = reinterpret_cast<std::int32_t *>(owner->data());
+    const py::capsule capsule(owner.release(), [](void *memory) {
+        const std::unique_ptr<std::vector<std::array<std::int32_t, 2>>> end(
+            static_cast<std::vector<std::array<std::int32_t, 2>> *>(memory));
+    });
+    result["ends"] = py::array_t<std::int32_t>({count, py::ssize_t{2}}, data, capsule);
+    return result;
+}
+
+} // namespace
+
+void bind_convert(py::module_ &module) {
+    module.def("quads_to_triangles", &quads_to_triangles, py::arg("points"), py::arg("quads"),
+               py::arg("lowest_node"), py::arg("progress") = py::none(),
+               "(2 M, 3) triangles by the shorter diagonal. lowest_node: of equal diagonals the "
+               "one at the lowest node, as faces of hexahedra do; else nodes 2 and 4.");
+    module.def("triangulation_parameters", &parameters, py::arg("points"), py::arg("quads"),
+               py::arg("lowest_node") = false,
+               "uint8 (M,): 1 where nodes 2 and 4 are joined, 0 where 1 and 3 are.");
+    module.def("hexahedra_to_tetrahedra", &hexahedra_to_tetrahedra, py::arg("points"),
+               py::arg("hexahedra"), py::arg("progress") = py::none(),
+               "(points with one centroid a hexahedron behind them, (12 M, 4) tetrahedra).");
+    module.def("raise_order", &quadratic, py::arg("points"), py::arg("cells"),
+               py::arg("progress") = py::none(),
+               "{'points', 'cells', 'ends'}: quadratic cells; ends (E, 2) of each new node.");
+}
+
+} // namespace nmgs::bindings

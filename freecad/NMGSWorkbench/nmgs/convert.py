@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Splitting, outer faces and raising the order of a mesh, with its groups."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+import numpy as np
+
+from . import _kernel
+from .mesh import CELL_TYPES, Group, Mesh
+
+Progress = Optional[Callable[[float], Any]]
+
+_QUADRATIC = {
+    "line": "line3",
+    "triangle": "triangle6",
+    "quad": "quad8",
+    "tetra": "tetra10",
+    "pyramid": "pyramid13",
+    "wedge": "wedge15",
+    "hexahedron": "hexahedron20",
+}
+
+
+def _refuse(mesh: Mesh, names: "set[str]", why: str) -> None:
+    for name in mesh.cells:
+        if name in names and len(mesh.cells[name]):
+            raise ValueError(f"cells: {len(mesh.cells[name])} cells of type {name!r}: {why}")
+
+
+def _children(indices: np.ndarray, each: int, base: int) -> np.ndarray:
+    return (
+        (base + each * indices[:, None] + np.arange(each, dtype=np.int32)).astype(np.int32).ravel()
+    )
+
+
+def split(mesh: Mesh, progress: Progress = None) -> Mesh:
+    """Quads to two triangles, hexahedra to twelve tetrahedra; see Mesh.split."""
+    _refuse(mesh, set(_QUADRATIC.values()), "split the linear mesh, then raise its order")
+    _refuse(mesh, {"wedge", "pyramid"}, "only quads and hexahedra are split")
+    kernel = _kernel.core()
+    points = mesh.points
+    cells = {k: v for k, v in mesh.cells.items() if k not in ("quad", "hexahedron")}
+    bases: Dict[str, Tuple[str, int, int]] = {}
+    if "hexahedron" in mesh.cells:
+        points, new = kernel.hexahedra_to_tetrahedra(points, mesh.cells["hexahedron"], progress)
+        old = cells.get("tetra")
+        bases["hexahedron"] = ("tetra", 12, 0 if old is None else len(old))
+        cells["tetra"] = new if old is None else np.concatenate([old, new])
+    if "quad" in mesh.cells:
+        solid = any(CELL_TYPES[name][1] == 3 for name in mesh.cells)
+        new = kernel.quads_to_triangles(mesh.points, mesh.cells["quad"], solid, progress)
+        old = cells.get("triangle")
+        bases["quad"] = ("triangle", 2, 0 if old is None else len(old))
+        cells["triangle"] = new if old is None else np.concatenate([old, new])
+    groups: Dict[str, Group] = {}
+    for name, (kind, indices) in mesh.groups.items():
+        if kind in bases:
+            child, each, base = bases[kind]
+            groups[name] = (child, _children(indices, each, base))
+        else:
+            groups[name] = (kind, indices)
+    return Mesh(points, cells, groups, model=mesh.model)
+
+
+def _keys(nodes: np.ndarray) -> np.ndarray:
+    """Rows of corner nodes as comparable values, whatever corner they start from."""
+    wide = np.full((len(nodes), 4), -1, dtype=np.int32)
+    wide[:, : nodes.shape[1]] = nodes
+    wide.sort(axis=1)
+    return np.ascontiguousarray(wide).view([("", np.int32)] * 4).ravel()
+
+
+def _corners(name: str, nodes: np.ndarray) -> np.ndarray:
+    return nodes[:, : 3 if name.startswith("triangle") else 4]
+
+
+def boundary_with_parents(
+    mesh: Mesh, progress: Progress = None
+) -> Tuple[Mesh, np.ndarray, Dict[str, Tuple[List[str], np.ndarray, np.ndarray]]]:
+    """The surface of Mesh.boundary, its points' numbers in the mesh, and where its cells come from:
+    name -> (names of the mesh's cell types, which of them, cell number), one entry a cell."""
+    raw = _kernel.core().boundary(len(mesh.points), mesh.cells, progress)
+    used = np.zeros(len(mesh.points), dtype=bool)
+    for nodes, _, _ in raw.values():
+        used[nodes] = True
+    kept = np.flatnonzero(used).astype(np.int32)
+    number = np.full(len(mesh.points), -1, dtype=np.int32)
+    number[kept] = np.arange(len(kept), dtype=np.int32)
+    cells = {name: number[nodes] for name, (nodes, _, _) in raw.items()}
+    groups: Dict[str, Group] = {}
+    for group, (kind, indices) in mesh.groups.items():
+        if kind == "node":
+            inside = number[indices]
+            groups[group] = ("node", inside[inside >= 0])
+        elif kind in raw and kind in mesh.cells and CELL_TYPES[kind][1] == 2:
+            wanted = _keys(_corners(kind, mesh.cells[kind][indices]))
+            found = np.isin(_keys(_corners(kind, raw[kind][0])), wanted)
+            groups[group] = (kind, np.flatnonzero(found).astype(np.int32))
+    names = list(mesh.cells)
+    parents = {name: (names, blocks, cell) for name, (_, blocks, cell) in raw.items()}
+    return Mesh(mesh.points[kept], cells, groups), kept, parents
+
+
+def _raised_nodes(mesh: Mesh, raised: Dict[str, Any]) -> Dict[str, Group]:
+    """Node groups with the mid-side nodes that belong to them; see Mesh.to_order."""
+    node_groups = {k: v for k, v in mesh.groups.items() if v[0] == "node"}
+    if not node_groups:
+        return {}
+    points = len(mesh.points)
+    ends = raised["ends"]
+    free = np.zeros(len(ends), dtype=bool)
+    outer = _kernel.core().boundary(points + len(ends), raised["cells"], None)
+    for nodes in [v[0] for v in outer.values()] + [raised["cells"].get("line3")]:
+        if nodes is not None:
+            middle = nodes[nodes >= points] - points
+            free[middle] = True
+    groups: Dict[str, Group] = {}
+    for name, (kind, indices) in node_groups.items():
+        member = np.zeros(points, dtype=bool)
+        member[indices] = True
+        taken = member[ends].all(axis=1) & free
+        for cell_type, nodes in raised["cells"].items():
+            corners = CELL_TYPES[_linear(cell_type)][0]
+            whole = nodes[member[nodes[:, :corners]].all(axis=1)][:, corners:]
+            taken[whole.ravel() - points] = True
+        new = (points + np.flatnonzero(taken)).astype(np.int32)
+        groups[name] = ("node", np.concatenate([indices, new]))
+    return groups
+
+
+def _linear(name: str) -> str:
+    return next(k for k, v in _QUADRATIC.items() if v == name)
+
+
+def to_order(mesh: Mesh, order: int, progress: Progress = None) -> Mesh:
+    """Quadratic cells; see Mesh.to_order."""
+    if order == 1 and not any(name in mesh.cells for name in _QUADRATIC.values()):
+        return mesh
+    if order != 2:
+        raise ValueError(f"order: expected 2, got {order!r}")
+    _refuse(mesh, set(_QUADRATIC.values()), "they are quadratic already")
+    raised = _kernel.core().raise_order(mesh.points, mesh.cells, progress)
+    groups: Dict[str, Group] = _raised_nodes(mesh, raised)
+    for name, (kind, indices) in mesh.groups.items():
+        if kind != "node":
+            groups[name] = (_QUADRATIC[kind], indices)
+    result = Mesh(raised["points"], raised["cells"], groups, model=mesh.model)
+    result.mid_side_ends = raised["ends"]
+    return result
