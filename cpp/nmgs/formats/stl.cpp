@@ -73,8 +73,7 @@ Plc read_binary(const std::string &path, std::int64_t count) {
             const char *at = record.data() + 12 * (corner + 1);
             const Vec3 p{from_file<float>(at), from_file<float>(at + 4), from_file<float>(at + 8)};
             if (!is_finite(p)) {
-                throw FormatError(path, 0,
-                                  "triangle " + std::to_string(t + 1) + " is not finite");
+                throw FormatError(path, 0, "triangle " + std::to_string(t + 1) + " is not finite");
             }
             plc.points.push_back(p);
         }

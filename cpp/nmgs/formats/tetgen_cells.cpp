@@ -84,8 +84,7 @@ struct Reading {
             }
             for (int k = 0; k < cells.attribute_count; ++k) {
                 const std::string_view word = reader.word_on_line();
-                cells.attributes.push_back(word.empty() ? 0.0
-                                                        : reader.real(word, "an attribute"));
+                cells.attributes.push_back(word.empty() ? 0.0 : reader.real(word, "an attribute"));
             }
             if (marker) {
                 cells.markers.push_back(static_cast<std::int32_t>(

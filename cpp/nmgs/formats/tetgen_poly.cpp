@@ -33,10 +33,10 @@ struct Reading {
     void marker() {
         const std::string_view word = reader.word_on_line();
         if (markers) {
-            plc.facet_markers.push_back(
-                word.empty() ? 0
-                             : static_cast<std::int32_t>(reader.integer(
-                                   word, "the marker of a facet", -most - 1, most)));
+            plc.facet_markers.push_back(word.empty()
+                                            ? 0
+                                            : static_cast<std::int32_t>(reader.integer(
+                                                  word, "the marker of a facet", -most - 1, most)));
         }
     }
 
@@ -118,8 +118,7 @@ void add_place(TextBuffer &text, std::int64_t number, Vec3 p) {
     }
 }
 
-void add_facet(TextBuffer &text, const Plc &plc, std::size_t f, PolyKind kind,
-               std::int32_t first) {
+void add_facet(TextBuffer &text, const Plc &plc, std::size_t f, PolyKind kind, std::int32_t first) {
     const std::int64_t begin = plc.facet_offsets[f];
     const std::int64_t end = plc.facet_offsets[f + 1];
     const std::int64_t hole_begin = plc.facet_hole_offsets[f];
@@ -170,8 +169,8 @@ Plc read_poly(const std::string &path, PolyKind kind) {
     const std::int64_t facets =
         word.empty() ? 0 : reader.integer(word, "the number of facets", 0, most);
     const std::string_view flag = reader.word_on_line();
-    reading.markers = !flag.empty() && reader.integer(flag, "the number of facet markers", 0,
-                                                      most) == 1;
+    reading.markers =
+        !flag.empty() && reader.integer(flag, "the number of facet markers", 0, most) == 1;
     reader.skip_line();
     reader.require_numbers(2 * facets, "the facets");
     for (std::int64_t f = 0; f < facets; ++f) {
