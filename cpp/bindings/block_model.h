@@ -7,6 +7,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 namespace nmgs::bindings {
 
 // nodes (NE, 8 | 20, 3), divisions (NE, 2 | 3), spacing None or a sequence of NE * (2 | 3) arrays
@@ -38,6 +40,31 @@ inline BlockModel block_model_of(const DoubleArray &nodes, const IntArray &divis
         }
     }
     return model;
+}
+
+// A model as {'nodes': (NE, 8 | 20, 3), 'divisions': (NE, 2 | 3), 'spacing': [positions or None]}.
+inline py::dict give_model(BlockModel &&model) {
+    const auto elements = static_cast<py::ssize_t>(model.size());
+    py::list spacing;
+    for (std::size_t at = 0; at < model.size() * static_cast<std::size_t>(model.dimension); ++at) {
+        if (at < model.spacing.size() && !model.spacing[at].empty()) {
+            const auto n = static_cast<py::ssize_t>(model.spacing[at].size());
+            spacing.append(give(std::move(model.spacing[at]), {n}));
+        } else {
+            spacing.append(py::none());
+        }
+    }
+    std::vector<std::int32_t> divisions;
+    for (const auto &g : model.divisions) {
+        divisions.insert(divisions.end(), g.begin(), g.begin() + model.dimension);
+    }
+    Array<Vec3> nodes(model.nodes.size());
+    std::copy(model.nodes.begin(), model.nodes.end(), nodes.begin());
+    py::dict result;
+    result["nodes"] = give<double>(std::move(nodes), {elements, model.nodes_per_element(), 3});
+    result["divisions"] = give(std::move(divisions), {elements, model.dimension});
+    result["spacing"] = spacing;
+    return result;
 }
 
 } // namespace nmgs::bindings

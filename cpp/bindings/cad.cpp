@@ -6,6 +6,7 @@
 
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/mapped.h"
+#include "nmgs_cad/refine.h"
 
 #include <Standard_Version.hxx>
 
@@ -35,15 +36,19 @@ py::dict entry_dict(const cad::FitEntry &entry) {
 }
 
 // {nodes, offsets, entities, report} of faces (dimension 2) or solids (3).
-py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices) {
+py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices,
+             double tolerance, const py::object &progress) {
     CadBlocks blocks;
     blocks.model.dimension = dimension;
     {
+        const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
         for (const int n : indices) {
             dimension == 2 ? cad::fit_mapped_face(shape, n, blocks)
                            : cad::fit_mapped_solid(shape, n, blocks);
         }
+        constexpr int rounds = 6;
+        blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
     }
     py::list report;
     for (const auto &entry : blocks.report) {
@@ -70,8 +75,7 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
 
 py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const IntArray &divisions,
                        const py::object &spacing, const IntArray &offsets, const IntArray &entities,
-                       int order, double tolerance, bool ignore_conflicts,
-                       const py::object &progress) {
+                       int order, double tolerance, bool force, const py::object &progress) {
     CadBlocks blocks;
     blocks.model = block_model_of(nodes, divisions, spacing);
     blocks.binding.offsets.assign(offsets.data(), offsets.data() + offsets.size());
@@ -83,7 +87,7 @@ py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const In
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        mesh = cad::generate_on_cad(shape, blocks, order, {tolerance, ignore_conflicts}, listener);
+        mesh = cad::generate_on_cad(shape, blocks, order, {tolerance, force}, listener);
     }
     return give_mesh(std::move(mesh));
 }
@@ -108,9 +112,10 @@ PYBIND11_MODULE(cad, module) {
         .def_property_readonly("vertices",
                                [](const nmgs::cad::CadShape &s) { return s.vertices.Extent(); })
         .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
-    module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"));
+    module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"),
+               py::arg("tolerance"), py::arg("progress") = py::none());
     module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
-               py::arg("tolerance") = -1.0, py::arg("ignore_conflicts") = false,
+               py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none());
 }

@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <filesystem>
 #include <new>
 
 namespace py = pybind11;
@@ -42,6 +43,11 @@ void register_errors() {
             raise("Cancelled", std::string(e.what()));
         } catch (const Error &e) {
             raise("Error", std::string(e.what()));
+        } catch (const std::filesystem::filesystem_error &e) {
+            // OSError picks FileNotFoundError, PermissionError, ... by the number.
+            const py::object error = py::reinterpret_borrow<py::object>(PyExc_OSError)(
+                e.code().value(), e.code().message(), e.path1().string());
+            PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
         } catch (const std::bad_alloc &) {
             PyErr_SetString(PyExc_MemoryError, "not enough memory");
         }

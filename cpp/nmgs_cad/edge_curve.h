@@ -17,6 +17,8 @@ public:
     [[nodiscard]] double length() const { return length_; }
     // Point at a fraction in [0, 1] of the length.
     [[nodiscard]] Vec3 at(double fraction) const;
+    // Fraction of the length at the edge's point that is nearest to p.
+    [[nodiscard]] double fraction(Vec3 p) const;
 
 private:
     BRepAdaptor_Curve curve_;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
+from . import grading
 from .block_model import BlockModel
 from .cad import fit
 from .errors import (
@@ -12,8 +13,11 @@ from .errors import (
     KernelMissing,
     TetGenError,
 )
+from .fem import to_fem
 from .io import read, write
 from .mesh import Mesh
+from .plc import PLC
+from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
     "BlockModel",
@@ -24,8 +28,13 @@ __all__ = [
     "GeometryError",
     "KernelMissing",
     "Mesh",
+    "PLC",
     "TetGenError",
+    "TetOptions",
     "fit",
+    "grading",
     "read",
+    "to_fem",
+    "tetrahedralize",
     "write",
 ]

@@ -7,8 +7,6 @@ from typing import Dict
 
 import numpy as np
 
-from .block_model import CadLink
-
 #: Ends of the edges along each direction, as node numbers with the mid-side node between.
 _EDGES = {
     8: (((0, 4, 1), (3, 6, 2)), ((1, 5, 2), (0, 7, 3))),
@@ -20,9 +18,9 @@ _EDGES = {
 }
 
 
-def divisions_by_size(nodes: np.ndarray, link: CadLink, size: float) -> np.ndarray:
+def divisions_by_size(nodes: np.ndarray, size: float) -> np.ndarray:
     """int32 (NE, 2 | 3): at least one element, none longer than size along the longest edge of its
-    chain. Edges on the same CAD edge belong to one chain."""
+    chain. Edges with the same three nodes belong to one chain."""
     directions = _EDGES[nodes.shape[1]]
     parent: Dict[object, object] = {}
 
@@ -33,6 +31,11 @@ def divisions_by_size(nodes: np.ndarray, link: CadLink, size: float) -> np.ndarr
             key = parent[key]
         return key
 
+    grid = 1e-6 * float(np.ptp(nodes.reshape(-1, 3), axis=0).max())
+
+    def place(point: np.ndarray) -> tuple:
+        return tuple(np.floor(point / grid + 0.5).astype(np.int64).tolist())
+
     longest = np.zeros((len(nodes), len(directions)))
     for block, points in enumerate(nodes):
         for direction, edges in enumerate(directions):
@@ -41,9 +44,8 @@ def divisions_by_size(nodes: np.ndarray, link: CadLink, size: float) -> np.ndarr
                     points[b] - points[m]
                 )
                 longest[block, direction] = max(longest[block, direction], length)
-                for dimension, index in link.of_node(block, m, nodes.shape[1]):
-                    if dimension == 1:
-                        parent[root((block, direction))] = root(int(index))
+                ends = sorted((place(points[a]), place(points[b])))
+                parent[root((block, direction))] = root((ends[0], ends[1], place(points[m])))
     chain: Dict[object, float] = {}
     for block in range(len(nodes)):
         for direction in range(len(directions)):

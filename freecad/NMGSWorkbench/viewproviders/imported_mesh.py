@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""ImportedMesh in the tree and the 3D view."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .base import ViewProvider
+
+
+class ImportedMeshView(ViewProvider):
+    icon_name = "nmgs_structured_mesh"
+    panel = ("", "")
+
+    def dress(self, vobj: Any) -> None:
+        vobj.ShapeColor = (0.70, 0.70, 0.75)
+        vobj.BackfaceCulling = False
