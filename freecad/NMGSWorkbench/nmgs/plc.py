@@ -144,6 +144,23 @@ class PLC:
             k: list(v) for k, v in (region_groups or {}).items()
         }
 
+    @classmethod
+    def of_arrays(cls, arrays: Mapping[str, Any]) -> "PLC":
+        """A PLC of the flat arrays themselves, under the names of its attributes."""
+        plc = cls(arrays["points"], ())
+        plc.polygon_nodes = np.ascontiguousarray(arrays["polygon_nodes"], dtype=np.int32)
+        plc.polygon_offsets = np.ascontiguousarray(arrays["polygon_offsets"], dtype=np.int64)
+        plc.facet_offsets = np.ascontiguousarray(arrays["facet_offsets"], dtype=np.int64)
+        plc.facet_hole_offsets = np.zeros(len(plc) + 1, np.int64)
+        plc._check_nodes()
+        for name in ("facet_holes", "facet_hole_offsets", "holes", "regions"):
+            if arrays.get(name) is not None:
+                setattr(plc, name, np.ascontiguousarray(arrays[name]))
+        plc.markers = _ints(arrays.get("markers"), "markers", len(plc))
+        plc.point_markers = _ints(arrays.get("point_markers"), "point_markers", len(plc.points))
+        plc.point_attributes = arrays.get("point_attributes")
+        return plc
+
     def __len__(self) -> int:
         """Number of facets."""
         return len(self.facet_offsets) - 1

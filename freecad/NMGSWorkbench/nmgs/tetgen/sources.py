@@ -30,7 +30,7 @@ def to_source(source: Any, surface: bool, deviation: float = 0.0) -> Any:
     Raises TypeError, ValueError, GeometryError, FormatError.
     """
     if isinstance(source, (str, os.PathLike)):
-        return to_source(_read(source), surface, deviation)
+        return to_source(_read(os.fspath(source), surface), surface, deviation)
     if isinstance(source, PLC):
         return source
     if isinstance(source, Mesh):
@@ -50,9 +50,12 @@ def to_source(source: Any, surface: bool, deviation: float = 0.0) -> Any:
     return _points(source)
 
 
-def _read(path: "str | os.PathLike[str]") -> Any:
+def _read(path: str, surface: bool) -> Any:
     from ..io import read
+    from ..surface_files import SURFACES, plc_of_file
 
+    if surface and os.path.splitext(path)[1].lower().lstrip(".") in SURFACES:
+        return plc_of_file(path)
     return read(path)
 
 
@@ -61,7 +64,7 @@ def _points(source: Any, argument: str = "source") -> np.ndarray:
         points = np.ascontiguousarray(source, dtype=np.float64)
     except (TypeError, ValueError):
         raise TypeError(
-            f"{argument}: cannot mesh a {type(source).__name__}; expected (N, 3) points, a PLC, a path,"
+            f"{argument}: cannot mesh a {type(source).__name__}; expected points, a PLC, a path,"
             " a Mesh, a BlockModel, or a FreeCAD shape, mesh or object"
         ) from None
     if points.ndim != 2 or points.shape[1] != 3:
@@ -87,12 +90,15 @@ def plc_of_surface(mesh: Mesh) -> PLC:
     nodes = np.concatenate([rows.reshape(-1) for _, rows in blocks])
     sizes = np.concatenate([np.full(len(rows), rows.shape[1], np.int64) for _, rows in blocks])
     markers, groups = _markers(mesh, blocks)
-    plc = PLC(mesh.points, np.empty((0, 3), np.int32))
-    plc.polygon_nodes = np.ascontiguousarray(nodes, dtype=np.int32)
-    plc.polygon_offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
-    plc.facet_offsets = np.arange(len(sizes) + 1, dtype=np.int64)
-    plc.facet_hole_offsets = np.zeros(len(sizes) + 1, np.int64)
-    plc.markers = markers
+    plc = PLC.of_arrays(
+        {
+            "points": mesh.points,
+            "polygon_nodes": nodes,
+            "polygon_offsets": np.concatenate([[0], np.cumsum(sizes)]),
+            "facet_offsets": np.arange(len(sizes) + 1),
+            "markers": markers,
+        }
+    )
     plc.groups = groups
     return plc
 
