@@ -8,6 +8,7 @@ from typing import Any, List
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from ..nmgs.mesh import CELL_TYPES
 from ..nmgs.report import MetricSummary, Report
 from ..objects.run import run
 from ..resources import icon, ui
@@ -27,7 +28,10 @@ class ReportPanel:
             lambda progress: self.mesh.report(progress=progress), "Measuring the mesh"
         )
         self.rows: List[MetricSummary] = [
-            summary for of_type in self.report.metrics.values() for summary in of_type.values()
+            summary
+            for cell_type, of_type in self.report.metrics.items()
+            if CELL_TYPES[cell_type][1] == self._dimension()
+            for summary in of_type.values()
         ]
         self.form = FreeCADGui.PySideUic.loadUi(ui("report"))
         self.form.setWindowTitle(f"Report of {obj.Label}")
@@ -39,12 +43,16 @@ class ReportPanel:
             self.form.metrics.setCurrentCell(0, 0)
             self._show(0)
 
+    def _dimension(self) -> int:
+        # The faces on a volume mesh's boundary are not its elements.
+        return max((CELL_TYPES[name][1] for name in self.report.metrics), default=0)
+
     def _fill_metrics(self) -> None:
         table = self.form.metrics
         table.setColumnCount(4)
         table.setHorizontalHeaderLabels(["Metric", "Worst", "Mean", "Best"])
         table.setRowCount(len(self.rows))
-        many = len(self.report.metrics) > 1
+        many = len({summary.cell_type for summary in self.rows}) > 1
         for row, summary in enumerate(self.rows):
             name = summary.metric.replace("_", " ")
             title = f"{name} ({summary.cell_type})" if many else name
