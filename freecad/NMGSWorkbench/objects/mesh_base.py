@@ -115,6 +115,13 @@ class MeshObject(DocumentObject):
         self._mesh = mesh
 
 
+def with_model(mesh: nmgs.Mesh, blocks: Any) -> nmgs.Mesh:
+    """The mesh; one out of a document gets its blocks back."""
+    if mesh.model is None and blocks is not None:
+        mesh.model = blocks.Proxy.model(blocks)
+    return mesh
+
+
 def hash_of(mesh: nmgs.Mesh) -> str:
     """The same for the same points, cells and groups."""
     digest = hashlib.blake2b(mesh.points.tobytes(), digest_size=16)
