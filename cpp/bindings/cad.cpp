@@ -75,8 +75,7 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
 
 py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const IntArray &divisions,
                        const py::object &spacing, const IntArray &offsets, const IntArray &entities,
-                       int order, double tolerance, bool ignore_conflicts,
-                       const py::object &progress) {
+                       int order, double tolerance, bool force, const py::object &progress) {
     CadBlocks blocks;
     blocks.model = block_model_of(nodes, divisions, spacing);
     blocks.binding.offsets.assign(offsets.data(), offsets.data() + offsets.size());
@@ -88,7 +87,7 @@ py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const In
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        mesh = cad::generate_on_cad(shape, blocks, order, {tolerance, ignore_conflicts}, listener);
+        mesh = cad::generate_on_cad(shape, blocks, order, {tolerance, force}, listener);
     }
     return give_mesh(std::move(mesh));
 }
@@ -117,6 +116,6 @@ PYBIND11_MODULE(cad, module) {
                py::arg("tolerance"), py::arg("progress") = py::none());
     module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
-               py::arg("tolerance") = -1.0, py::arg("ignore_conflicts") = false,
+               py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none());
 }

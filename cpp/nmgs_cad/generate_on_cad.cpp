@@ -252,7 +252,7 @@ Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
     const BlockModel &model = blocks.model;
     validate(model);
     const Topology topology = find_topology(model, options.tolerance);
-    if (!options.ignore_conflicts) {
+    if (!options.force) {
         raise_conflicts(model, topology);
     }
     const Lattice coarse(model, topology);

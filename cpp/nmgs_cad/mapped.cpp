@@ -95,14 +95,16 @@ std::array<int, 2> sorted(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-// The block that stands on the given face with its corner 1 at the start-th corner.
-bool make_parts(const SolidSides &sides, int bottom, std::size_t start, BlockParts &parts) {
+// The block that stands on the given face with its corner 1 at the start-th corner. A solid that is
+// stored inside out needs the bottom's corners the other way round.
+bool make_parts(const SolidSides &sides, int bottom, std::size_t start, bool inside_out,
+                BlockParts &parts) {
     parts.fill(0);
     // Seen from inside, the bottom's corners run the other way round.
     std::array<int, 8> corner{};
     const FourSides &base = sides.of_face.at(bottom);
     for (std::size_t i = 0; i < 4; ++i) {
-        corner[i] = base.corner[(start + 4 - i) % 4];
+        corner[i] = base.corner[(inside_out ? start + i : start + 4 - i) % 4];
     }
     const std::set<int> base_edges(base.edge.begin(), base.edge.end());
     for (std::size_t i = 0; i < 4; ++i) {
@@ -233,14 +235,13 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
     std::array<Vec3, 20> nodes{};
     double best_alignment = -4;
     for (const auto &[face, four] : sides.of_face) {
-        for (std::size_t start = 0; start < 4; ++start) {
+        for (std::size_t start = 0; start < 8; ++start) {
             BlockParts parts{};
-            if (!make_parts(sides, face, start, parts)) {
+            if (!make_parts(sides, face, start % 4, start >= 4, parts)) {
                 continue;
             }
             const auto candidate = nodes_of(shape, parts);
             const double a = alignment(candidate);
-            // A solid that is stored inside out would give a mirrored block.
             if (a > best_alignment + 1e-9 && hexa20::jacobian(candidate, 0, 0, 0) > 0) {
                 best_alignment = a;
                 best = parts;
@@ -249,9 +250,7 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
         }
     }
     if (best_alignment == -4) {
-        refuse(blocks, me,
-               name +
-                   " has six four-sided faces that do not join as a block's do, or is inside out",
+        refuse(blocks, me, name + " has six four-sided faces that do not join as a block's do",
                {name});
         return;
     }

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import time
 
 import FreeCAD
 import FreeCADGui
@@ -15,6 +16,14 @@ def process_events(milliseconds: int = 0) -> None:
     loop = QtCore.QEventLoop()
     QtCore.QTimer.singleShot(milliseconds, loop.quit)
     loop.exec_()
+
+
+def wait_until(condition, seconds: float = 10.0) -> None:
+    """Handles events until the condition holds: the tree, for one, follows with a delay."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        process_events(20)
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -43,7 +52,7 @@ def message_boxes():
     return [
         widget
         for widget in QtGui.QApplication.topLevelWidgets()
-        if widget.objectName() == "NMGS_Error" and widget.isVisible()
+        if widget.objectName() == "NMGS_Message" and widget.isVisible()
     ]
 
 
@@ -58,10 +67,36 @@ def tree_labels():
     return labels
 
 
+def pick(obj, *names):
+    """Picks sub-elements of an object, or the whole object, as clicks with Ctrl do."""
+    FreeCADGui.Selection.clearSelection()
+    for name in names or ("",):
+        FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, name)
+
+
+def run(command: str) -> None:
+    """What a click on the toolbar does."""
+    FreeCADGui.runCommand(command)
+    process_events()
+
+
+def content(obj):
+    """The FEM mesh of an object as plain values, to compare node for node."""
+    mesh = obj.FemMesh
+    nodes = {number: tuple(place) for number, place in mesh.Nodes.items()}
+    elements = {n: mesh.getElementNodes(n) for n in (*mesh.Volumes, *mesh.Faces, *mesh.Edges)}
+    groups = {
+        (mesh.getGroupName(g), mesh.getGroupElementType(g)): tuple(sorted(mesh.getGroupElements(g)))
+        for g in mesh.Groups
+    }
+    return nodes, elements, groups
+
+
 def screenshot(name: str) -> None:
     """The whole window into the folder for pictures, if there is one."""
     folder = os.environ.get("NMGS_SCREENSHOTS")
     if folder:
+        FreeCADGui.SendMsgToActiveView("ViewFit")
         process_events(300)
         # The screen, not the widget: only the screen has the 3D view.
         picture = QtGui.QApplication.primaryScreen().grabWindow(0)

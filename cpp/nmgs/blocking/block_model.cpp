@@ -3,6 +3,8 @@
 
 #include "nmgs/support/error.h"
 
+#include <limits>
+
 namespace nmgs {
 namespace {
 
@@ -88,21 +90,31 @@ std::vector<double> natural_positions(const BlockModel &model, std::size_t eleme
     return positions;
 }
 
-std::int64_t cell_count(const BlockModel &model) {
+namespace {
+
+// Sums of products of divisions + extra that stop at the largest integer.
+std::int64_t saturated_count(const BlockModel &model, std::int32_t extra) {
+    constexpr std::int64_t limit = std::numeric_limits<std::int64_t>::max();
     std::int64_t total = 0;
     for (const auto &g : model.divisions) {
-        total += std::int64_t{g[0]} * g[1] * (model.dimension == 3 ? g[2] : 1);
+        std::int64_t product = 1;
+        for (int d = 0; d < model.dimension; ++d) {
+            const std::int64_t n = std::int64_t{g[static_cast<std::size_t>(d)]} + extra;
+            product = product > limit / n ? limit : product * n;
+        }
+        total = total > limit - product ? limit : total + product;
     }
     return total;
 }
 
+} // namespace
+
+std::int64_t cell_count(const BlockModel &model) {
+    return saturated_count(model, 0);
+}
+
 std::int64_t lattice_count(const BlockModel &model) {
-    std::int64_t total = 0;
-    for (const auto &g : model.divisions) {
-        total += (std::int64_t{g[0]} + 1) * (std::int64_t{g[1]} + 1) *
-                 (model.dimension == 3 ? std::int64_t{g[2]} + 1 : 1);
-    }
-    return total;
+    return saturated_count(model, 1);
 }
 
 } // namespace nmgs

@@ -40,7 +40,7 @@ void validate(const BlockModel &model);
 // Natural coordinates in [-1, 1] of the lattice planes of an element along a direction.
 std::vector<double> natural_positions(const BlockModel &model, std::size_t element, int direction);
 
-// Number of cells and, before nodes are shared, of nodes. In 64 bits: they may exceed memory.
+// Number of cells and, before nodes are shared, of nodes; 2^63 - 1 where they do not fit.
 std::int64_t cell_count(const BlockModel &model);
 std::int64_t lattice_count(const BlockModel &model);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/blocking/generate.h"
 
+#include "nmgs/blocking/block_check.h"
+#include "nmgs/blocking/coincident_nodes.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/support/error.h"
@@ -50,25 +52,23 @@ std::array<Vec3, 8> layer_patch(std::span<const Vec3> nodes, double zeta) {
     return patch;
 }
 
-// Rows of one layer, in chunks small enough to balance the threads and to poll often.
+// A run of lattice rows (j fastest, then k), short enough to balance the threads and poll often.
 struct Task {
     std::size_t block;
-    std::int32_t k, first_row, last_row;
+    std::int64_t first_row, last_row;
 };
 
 // extra: 1 for rows of nodes, 0 for rows of cells.
 std::vector<Task> make_tasks(const BlockModel &model, int extra) {
-    constexpr std::int32_t target = 1 << 14;
+    constexpr std::int64_t target = 1 << 14;
     std::vector<Task> tasks;
     for (std::size_t b = 0; b < model.size(); ++b) {
         const auto g = model.divisions[b];
-        const std::int32_t rows = g[1] + extra;
-        const std::int32_t layers = model.dimension == 3 ? g[2] + extra : 1;
-        const std::int32_t step = std::max(1, target / (g[0] + 1));
-        for (std::int32_t k = 0; k < layers; ++k) {
-            for (std::int32_t j = 0; j < rows; j += step) {
-                tasks.push_back({b, k, j, std::min(rows, j + step)});
-            }
+        const std::int64_t rows =
+            (std::int64_t{g[1]} + extra) * (model.dimension == 3 ? std::int64_t{g[2]} + extra : 1);
+        const std::int64_t step = std::max<std::int64_t>(1, target / (std::int64_t{g[0]} + 1));
+        for (std::int64_t r = 0; r < rows; r += step) {
+            tasks.push_back({b, r, std::min(rows, r + step)});
         }
     }
     return tasks;
@@ -77,19 +77,28 @@ std::vector<Task> make_tasks(const BlockModel &model, int extra) {
 void fill_rows(const BlockModel &model, const Lattice &lattice, const BlockTables &table,
                const Task &task, std::span<Vec3> points) {
     const auto nodes = model.element(task.block);
+    const auto rows = static_cast<std::int64_t>(table.eta.size());
     std::array<Vec3, 8> patch{};
-    if (model.dimension == 3) {
-        patch = layer_patch(nodes, table.zeta[static_cast<std::size_t>(task.k)]);
-    } else {
+    std::int64_t layer = -1;
+    if (model.dimension == 2) {
         std::copy(nodes.begin(), nodes.end(), patch.begin());
     }
     const auto n = table.xi.size() - 1;
-    for (std::int32_t j = task.first_row; j < task.last_row; ++j) {
+    for (std::int64_t r = task.first_row; r < task.last_row; ++r) {
+        const auto j = static_cast<std::int32_t>(r % rows);
+        const auto k = static_cast<std::int32_t>(r / rows);
+        const auto pieces = lattice.row_pieces(task.block, j, k);
+        if (!pieces.low && !pieces.inside && !pieces.high) {
+            continue;
+        }
+        if (model.dimension == 3 && k != layer) {
+            patch = layer_patch(nodes, table.zeta[static_cast<std::size_t>(k)]);
+            layer = k;
+        }
         const double eta = table.eta[static_cast<std::size_t>(j)];
         const Vec3 low = quad8::map(patch, -1, eta);
         const Vec3 middle = quad8::map(patch, 0, eta);
         const Vec3 high = quad8::map(patch, 1, eta);
-        const auto pieces = lattice.row_pieces(task.block, j, task.k);
         Vec3 *out = points.data() + pieces.start;
         if (pieces.low) {
             *out++ = low;
@@ -113,26 +122,28 @@ void fill_hexahedra(const Lattice &lattice, const Task &task, std::span<std::int
     const auto g = lattice.divisions(task.block);
     const auto n = static_cast<std::size_t>(g[0]);
     std::vector<std::int32_t> buffer(4 * (n + 1));
-    std::array<std::int32_t *, 4> r{};
+    std::array<std::int32_t *, 4> ids{};
     for (std::size_t i = 0; i < 4; ++i) {
-        r[i] = buffer.data() + i * (n + 1);
+        ids[i] = buffer.data() + i * (n + 1);
     }
-    const auto load = [&](std::int32_t *ids, std::int32_t j, std::int32_t k) {
-        lattice.row(task.block, j, k, {ids, n + 1});
+    const auto load = [&](std::int32_t *row, std::int32_t j, std::int32_t k) {
+        lattice.row(task.block, j, k, {row, n + 1});
     };
-    load(r[0], task.first_row, task.k);
-    load(r[2], task.first_row, task.k + 1);
-    for (std::int32_t j = task.first_row; j < task.last_row; ++j) {
-        load(r[1], j + 1, task.k);
-        load(r[3], j + 1, task.k + 1);
-        const std::int64_t first =
-            lattice.first_cell(task.block) +
-            (std::int64_t{task.k} * g[1] + j) * static_cast<std::int64_t>(g[0]);
-        std::int32_t *out = cells.data() + 8 * first;
-        const std::int32_t *a = r[0];
-        const std::int32_t *b = r[1];
-        const std::int32_t *c = r[2];
-        const std::int32_t *d = r[3];
+    std::int32_t *out = cells.data() + 8 * (lattice.first_cell(task.block) +
+                                            task.first_row * static_cast<std::int64_t>(g[0]));
+    for (std::int64_t r = task.first_row; r < task.last_row; ++r) {
+        const auto j = static_cast<std::int32_t>(r % g[1]);
+        const auto k = static_cast<std::int32_t>(r / g[1]);
+        if (r == task.first_row || j == 0) {
+            load(ids[0], j, k);
+            load(ids[2], j, k + 1);
+        }
+        load(ids[1], j + 1, k);
+        load(ids[3], j + 1, k + 1);
+        const std::int32_t *a = ids[0];
+        const std::int32_t *b = ids[1];
+        const std::int32_t *c = ids[2];
+        const std::int32_t *d = ids[3];
         for (std::size_t i = 0; i < n; ++i) {
             out[0] = a[i];
             out[1] = a[i + 1];
@@ -144,8 +155,8 @@ void fill_hexahedra(const Lattice &lattice, const Task &task, std::span<std::int
             out[7] = d[i];
             out += 8;
         }
-        std::swap(r[0], r[1]);
-        std::swap(r[2], r[3]);
+        std::swap(ids[0], ids[1]);
+        std::swap(ids[2], ids[3]);
     }
 }
 
@@ -154,11 +165,11 @@ void fill_quads(const Lattice &lattice, const Task &task, std::span<std::int32_t
     const auto n = static_cast<std::size_t>(g[0]);
     std::vector<std::int32_t> low(n + 1);
     std::vector<std::int32_t> high(n + 1);
-    lattice.row(task.block, task.first_row, 0, low);
-    for (std::int32_t j = task.first_row; j < task.last_row; ++j) {
-        lattice.row(task.block, j + 1, 0, high);
-        std::int32_t *out = cells.data() + 4 * (lattice.first_cell(task.block) +
-                                                std::int64_t{j} * static_cast<std::int64_t>(g[0]));
+    lattice.row(task.block, static_cast<std::int32_t>(task.first_row), 0, low);
+    std::int32_t *out = cells.data() + 4 * (lattice.first_cell(task.block) +
+                                            task.first_row * static_cast<std::int64_t>(g[0]));
+    for (std::int64_t r = task.first_row; r < task.last_row; ++r) {
+        lattice.row(task.block, static_cast<std::int32_t>(r) + 1, 0, high);
         for (std::size_t i = 0; i < n; ++i) {
             out[0] = low[i];
             out[1] = low[i + 1];
@@ -232,26 +243,41 @@ void fill_cells(const BlockModel &model, const Lattice &lattice, std::span<std::
 Mesh generate(const BlockModel &model, const GenerateOptions &options, const Progress &progress) {
     validate(model);
     const int corners = model.dimension == 3 ? 8 : 4;
-    const std::int64_t upper = lattice_count(model);
+    const std::int64_t cells = cell_count(model);
+    // Cells are never shared: they alone decide for the hopeless requests, before any other work.
+    if (cells > std::numeric_limits<std::int64_t>::max() / 64 ||
+        lattice_count(model) > std::numeric_limits<std::int64_t>::max() / 64) {
+        throw ArgumentError("divisions: the mesh would have " + std::to_string(cells) +
+                            " or more cells, beyond any memory");
+    }
+    require_memory(4 * corners * cells, "divisions: the mesh's cells alone");
     const Topology topology = find_topology(model, options.tolerance);
-    if (!options.ignore_conflicts) {
-        raise_conflicts(model, topology);
+    if (!options.force) {
+        const auto problems = check_blocks(model, topology, progress);
+        if (!problems.empty()) {
+            throw as_error(problems);
+        }
     }
     const Lattice lattice(model, topology);
     if (lattice.node_count() > std::numeric_limits<std::int32_t>::max()) {
-        throw ArgumentError("divisions: the mesh would have " + std::to_string(upper) +
-                            " nodes; node numbers end at 2147483647");
+        throw ArgumentError("divisions: the mesh would have " +
+                            std::to_string(lattice.node_count()) + " nodes (" +
+                            std::to_string(24 * lattice.node_count() + 4 * corners * cells) +
+                            " bytes); node numbers end at 2147483647");
     }
-    require_memory(24 * lattice.node_count() + 4 * corners * cell_count(model), "the mesh");
+    require_memory(24 * lattice.node_count() + 4 * corners * cells, "divisions: the mesh");
 
     Mesh mesh;
     mesh.points = Array<Vec3>(static_cast<std::size_t>(lattice.node_count()));
-    mesh.cells.push_back(
-        {model.dimension == 3 ? CellType::hexahedron : CellType::quad,
-         Array<std::int32_t>(static_cast<std::size_t>(corners * cell_count(model)))});
-    fill_points(model, lattice, {mesh.points.data(), mesh.points.size()}, progress, 0.0, 0.5);
+    mesh.cells.push_back({model.dimension == 3 ? CellType::hexahedron : CellType::quad,
+                          Array<std::int32_t>(static_cast<std::size_t>(corners * cells))});
+    const std::span<Vec3> points{mesh.points.data(), mesh.points.size()};
+    fill_points(model, lattice, points, progress, 0.0, 0.5);
     fill_cells(model, lattice, {mesh.cells[0].nodes.data(), mesh.cells[0].nodes.size()}, progress,
                0.5, 1.0);
+    if (model.size() > 1) {
+        apply(find_coincident_nodes(model, topology, lattice, points), mesh);
+    }
     return mesh;
 }
 

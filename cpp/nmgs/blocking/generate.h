@@ -11,13 +11,15 @@
 namespace nmgs {
 
 struct GenerateOptions {
-    double tolerance = -1;         // for common nodes; negative: default_tolerance()
-    bool ignore_conflicts = false; // leave blocks that do not match open instead of raising
+    double tolerance = -1; // for common nodes; negative: default_tolerance()
+    bool force = false;    // mesh blocks with problems (see block_check.h) as they are
 };
 
 // Quads of patches, hexahedra of blocks; cells block by block, xi fastest, each in VTK's order.
+// Nodes that coincide are one, by topology or by place. The numbers of nodes and cells are refused
+// before memory is taken for them.
 // Raises ArgumentError (see validate; also when the mesh cannot fit into memory or its node numbers
-// not into 32 bits), BlockingError that names the pairs of blocks whose divisions disagree.
+// not into 32 bits), BlockingError that names the blocks with problems, Cancelled.
 Mesh generate(const BlockModel &model, const GenerateOptions &options = {},
               const Progress &progress = {});
 

@@ -290,7 +290,7 @@ std::string part::name(int code, int dimension) {
     }
 }
 
-double default_tolerance(const BlockModel &model) {
+double smallest_element_edge(const BlockModel &model) {
     double smallest = std::numeric_limits<double>::infinity();
     const auto &table = node_of_part(model.dimension);
     for (std::size_t b = 0; b < model.size(); ++b) {
@@ -310,7 +310,11 @@ double default_tolerance(const BlockModel &model) {
             }
         }
     }
-    return std::isfinite(smallest) ? 1e-4 * smallest : 0.0;
+    return std::isfinite(smallest) ? smallest : 0.0;
+}
+
+double default_tolerance(const BlockModel &model) {
+    return 1e-4 * smallest_element_edge(model);
 }
 
 Topology find_topology(const BlockModel &model, double tolerance) {

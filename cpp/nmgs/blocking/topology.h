@@ -81,7 +81,9 @@ struct Topology {
     }
 };
 
-// 1e-4 of the smallest element edge (chord of a block's edge over its divisions).
+// Least length of a block's edge (its two chords) over its divisions, as if spaced uniformly.
+double smallest_element_edge(const BlockModel &model);
+// 1e-4 of it.
 double default_tolerance(const BlockModel &model);
 
 // tolerance: nodes of blocks closer than this are the same; negative asks for the default.

@@ -20,6 +20,8 @@ public:
         : data_(size == 0 ? nullptr : std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
 
     [[nodiscard]] std::size_t size() const { return size_; }
+    // Forgets the elements from size on; their memory stays with the array.
+    void shrink(std::size_t size) { size_ = size < size_ ? size : size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
     T *data() { return data_.get(); }
     const T *data() const { return data_.get(); }

@@ -47,6 +47,11 @@ public:
         return best;
     }
 
+    void reserve(std::size_t count) {
+        heads_.reserve(count);
+        entries_.reserve(count);
+    }
+
     void insert(Vec3 p, std::int64_t index) {
         auto [head, fresh] = heads_.try_emplace(key(cell(p)), -1);
         entries_.push_back({p, index, head->second});

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict
+from typing import Any, Dict, List, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -19,6 +19,8 @@ class Command:
     icon_name = ""
     menu_text = ""
     tooltip = ""
+    #: Elements that are to blame for the last error.
+    culprits: List[Tuple[Any, str]] = []
 
     def GetResources(self) -> Dict[str, str]:
         return {
@@ -43,8 +45,23 @@ class Command:
         """Does it; returns the new document object, which is selected, or None."""
         raise NotImplementedError
 
+    def computed(self, obj: Any) -> Any:
+        """obj, computed. Raises what its computation raised."""
+        sources = [source for source in obj.OutList if "Touched" in source.State]
+        if sources:
+            obj.Document.recompute(sources)
+        # Not by the document: that would write a traceback into the report view for each error.
+        try:
+            obj.Proxy.compute(obj)
+        except Exception as error:
+            self.culprits = obj.Proxy.culprits(getattr(error, "entities", ()))
+            raise
+        obj.purgeTouched()
+        return obj
+
     def Activated(self, index: int = 0) -> None:
         document = FreeCAD.ActiveDocument
+        self.culprits = []
         document.openTransaction(self.menu_text)
         try:
             made = self.act(document)
@@ -55,16 +72,15 @@ class Command:
             # Whatever went wrong, the document is as it was before and the user reads why.
             document.abortTransaction()
             messages.show_error(self.menu_text, error)
+            if self.culprits:
+                _select(self.culprits)
         else:
             document.commitTransaction()
             if made is not None:
-                FreeCADGui.Selection.clearSelection()
-                FreeCADGui.Selection.addSelection(made)
+                _select([(made, "")])
 
 
-def computed(obj: Any) -> Any:
-    """obj, recomputed. Raises what its recompute raised."""
-    obj.Document.recompute([obj])
-    if obj.Proxy.failure is not None:
-        raise obj.Proxy.failure
-    return obj
+def _select(entities: List[Tuple[Any, str]]) -> None:
+    FreeCADGui.Selection.clearSelection()
+    for obj, name in entities:
+        FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, name)

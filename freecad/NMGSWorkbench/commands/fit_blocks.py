@@ -7,7 +7,8 @@ from typing import Any
 
 from ..objects import blocks
 from . import selection
-from .base import Command, computed
+from ..taskpanels.messages import report_left_out
+from .base import Command
 
 
 class FitBlocks(Command):
@@ -22,7 +23,11 @@ class FitBlocks(Command):
         source = selection.picked_solids()
         if not source:
             raise ValueError("Pick one or more solids, or a face of each.")
-        self.source = source
         obj = blocks.make(document)
         obj.Source = source
-        return computed(obj)
+        self.computed(obj)
+        # The blocks are inside the solids and would not be seen.
+        for part, _ in source:
+            part.Visibility = False
+        report_left_out(self.menu_text, obj)
+        return obj

@@ -7,7 +7,8 @@ from typing import Any
 
 from ..objects import patches
 from . import selection
-from .base import Command, computed
+from ..taskpanels.messages import report_left_out
+from .base import Command
 
 
 class FitPatches(Command):
@@ -22,7 +23,8 @@ class FitPatches(Command):
         source = selection.picked_faces()
         if not source:
             raise ValueError("Pick one or more faces, or an object that has faces.")
-        self.source = source
         obj = patches.make(document)
         obj.Source = source
-        return computed(obj)
+        self.computed(obj)
+        report_left_out(self.menu_text, obj)
+        return obj

@@ -8,7 +8,7 @@ from typing import Any
 from ..objects import structured_mesh
 from ..objects.blocking import Blocking
 from . import selection
-from .base import Command, computed
+from .base import Command
 
 
 class GenerateMesh(Command):
@@ -26,7 +26,7 @@ class GenerateMesh(Command):
         for blocks in selection.picked(Blocking):
             made = structured_mesh.make(document)
             made.Blocks = blocks
-            computed(made)
+            self.computed(made)
             # The mesh lies in the surfaces of the part and would not be seen behind them.
             for part, _ in blocks.Source:
                 part.Visibility = False

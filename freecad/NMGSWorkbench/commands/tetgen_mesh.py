@@ -8,7 +8,7 @@ from typing import Any
 from ..objects import tetgen_mesh
 from ..objects.base import DocumentObject
 from . import selection
-from .base import Command, computed
+from .base import Command
 
 
 class TetGenMesh(Command):
@@ -24,10 +24,9 @@ class TetGenMesh(Command):
         source = source or selection.picked_solids()
         if not source:
             raise ValueError("Pick a solid, a PLC, blocks, patches or a mesh.")
-        self.source = source
         obj = tetgen_mesh.make(document)
         obj.Source = source
-        computed(obj)
+        self.computed(obj)
         for part, _ in source:
             part.Visibility = False
         return obj

@@ -13,7 +13,7 @@ from ..nmgs.mesh import CELL_TYPES, Mesh
 #: Fem.FemMesh's node order, as indices into VTK's; found by Jacobian signs and by CalculiX.
 _HEX = (7, 4, 5, 6, 3, 0, 1, 2, 15, 12, 13, 14, 11, 8, 9, 10, 19, 16, 17, 18)
 _TET = (1, 0, 2, 3, 4, 6, 5, 8, 7, 9)
-_ORDER: Dict[str, Tuple[int, ...]] = {
+NODE_ORDER: Dict[str, Tuple[int, ...]] = {
     "hexahedron": _HEX[:8],
     "hexahedron20": _HEX,
     "tetra": _TET[:4],
@@ -58,8 +58,8 @@ def fem_mesh(mesh: Mesh) -> Any:
         if name not in mesh.cells:
             continue
         nodes = mesh.cells[name] + 1
-        if name in _ORDER:
-            nodes = nodes[:, _ORDER[name]]
+        if name in NODE_ORDER:
+            nodes = nodes[:, NODE_ORDER[name]]
         first[name] = number
         add = adders[CELL_TYPES[name][1]]
         for cell in nodes.tolist():

@@ -3,13 +3,28 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, List, Optional
+import dataclasses
+from typing import Any, Callable, List, Optional, Tuple
 
 import numpy as np
 
 from . import _kernel
 from .grading import Grading
 from .mesh import Mesh
+
+
+@dataclasses.dataclass(frozen=True)
+class Problem:
+    """kind: folded, collapsed, mirrored, divisions, spacing, gap or overlap. blocks: one name or
+    two, as "Block2". place: where. text: the whole sentence."""
+
+    kind: str
+    blocks: Tuple[str, ...]
+    place: Tuple[float, float, float]
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
 
 
 class CadLink:
@@ -123,35 +138,59 @@ class BlockModel:
                     ) from error
         return result
 
+    def check(self, tolerance: Optional[float] = None) -> List[Problem]:
+        """What is wrong with the blocks before meshing; empty where nothing is.
+
+        Folded, collapsed and mirrored blocks, blocks that meet with different divisions or
+        gradings, nearly meet, or overlap. A gap is more than the tolerance and less than a fifth
+        of the smallest element edge. Raises ValueError.
+        """
+        raw = _kernel.core().check(
+            self.nodes, self.divisions, self.spacing, self._checked_tolerance(tolerance)
+        )
+        return [
+            Problem(kind, tuple(f"Block{b + 1}" for b in (first, second) if b >= 0), place, text)
+            for kind, first, second, place, text in raw
+        ]
+
+    @staticmethod
+    def _checked_tolerance(tolerance: Optional[float]) -> float:
+        if tolerance is None:
+            return -1.0
+        if not 0 <= tolerance < float("inf"):
+            raise ValueError(f"tolerance: expected 0 or more, got {tolerance!r}")
+        return float(tolerance)
+
     def generate(
         self,
         tolerance: Optional[float] = None,
         order: int = 1,
         snap: bool = True,
         progress: Optional[Callable[[float], Any]] = None,
+        force: bool = False,
     ) -> Mesh:
         """Structured mesh: quads of patches, hexahedra of blocks.
 
         tolerance: nodes of different blocks closer than this are one; None for 1e-4 of the
         smallest element edge. order: 1 or 2 (quad8, hexahedron20). snap: put the nodes onto the
         CAD that the model was fitted to. progress: called with the finished fraction, False stops.
-        Raises BlockingError, Cancelled, ValueError.
+        force: mesh blocks with problems (see check) as they are instead of refusing.
+        Raises BlockingError that names the blocks, Cancelled, ValueError.
         """
-        if tolerance is not None and not tolerance >= 0:
-            raise ValueError(f"tolerance: expected 0 or more, got {tolerance!r}")
         if order not in (1, 2):
             raise ValueError(f"order: expected 1 or 2, got {order!r}")
-        accepted = -1.0 if tolerance is None else float(tolerance)
+        accepted = self._checked_tolerance(tolerance)
         if snap and self.cad is not None:
             from .cad import generate_on_cad  # only here: cad.py imports this module
 
-            raw = generate_on_cad(self, order, accepted, progress)
+            raw = generate_on_cad(self, order, accepted, progress, bool(force))
             return Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
         raw = _kernel.core().generate(
             self.nodes,
             self.divisions,
             spacing=self.spacing,
             tolerance=accepted,
+            force=bool(force),
             progress=progress,
         )
         mesh = Mesh(raw["points"], raw["cells"], raw["groups"], model=self)

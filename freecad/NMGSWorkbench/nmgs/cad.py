@@ -125,7 +125,11 @@ def _check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
 
 
 def generate_on_cad(
-    model: BlockModel, order: int, tolerance: float, progress: Optional[Callable[[float], Any]]
+    model: BlockModel,
+    order: int,
+    tolerance: float,
+    progress: Optional[Callable[[float], Any]],
+    force: bool = False,
 ) -> dict:
     """The kernel's mesh of a fitted model: points, cells and groups."""
     link: CadLink = model.cad  # type: ignore[assignment]
@@ -138,6 +142,7 @@ def generate_on_cad(
         link.entities,
         order=order,
         tolerance=tolerance,
+        force=force,
         progress=progress,
     )
 

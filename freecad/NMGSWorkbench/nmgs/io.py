@@ -9,8 +9,13 @@ from typing import Any, Dict, Optional, Tuple
 
 #: format name -> (module beside this one, reader or "", writer or "")
 FORMATS: Dict[str, Tuple[str, str, str]] = {
+    "inp": ("abaqus_file", "read_inp", "write_inp"),
+    "vtk": ("meshio_files", "read_mesh", ""),
+    "vtu": ("meshio_files", "read_mesh", "write_vtu"),
     "n2s": ("nmgs_files", "read_n2s", "write_n2s"),
     "n3s": ("nmgs_files", "read_n3s", "write_n3s"),
+    "n2r": ("nmgs_files", "read_n2r", "write_n2r"),
+    "n3r": ("nmgs_files", "read_n3r", "write_n3r"),
     "node": ("tetgen_files", "read_node", "write_node"),
     "poly": ("tetgen_files", "read_poly", "write_poly"),
     "smesh": ("tetgen_files", "read_smesh", "write_smesh"),

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The thesis's own files: N2S and N3S problem setups (Tables C.1, C.2)."""
+"""The thesis's own files: N2S and N3S setups, N2R and N3R results (Tables C.1 to C.4)."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Callable, Optional
 
 from . import _kernel
 from .block_model import BlockModel
 from .grading import positions
+from .mesh import Mesh
+
+ProgressCallback = Optional[Callable[[float], Any]]
 
 
 def _model_of(raw: dict) -> BlockModel:
@@ -53,3 +56,71 @@ def write_n2s(path: str, model: BlockModel) -> None:
 def write_n3s(path: str, model: BlockModel) -> None:
     """Writes blocks as an NMGS-SVMG problem setup file; the grading as write_n2s does."""
     _write_setup(path, model, 3, "n3s")
+
+
+def _read_result(path: str, dimension: int, numbering: str, progress: ProgressCallback) -> Mesh:
+    raw = _kernel.core().read_result(path, dimension, numbering, progress)
+    cell = "quad" if dimension == 2 else "hexahedron"
+    return Mesh(raw["points"], {cell: raw["cells"]}, model=_model_of(raw))
+
+
+def read_n2r(
+    path: str, numbering: str = "corners-first", progress: ProgressCallback = None
+) -> Mesh:
+    """Quads of an NMGS-SSMG result file, with the model they came from. Its diagonals and related
+    nodes are checked and left out: mesh.split() and mesh.related_nodes() give them."""
+    return _read_result(path, 2, numbering, progress)
+
+
+def read_n3r(
+    path: str, numbering: str = "corners-first", progress: ProgressCallback = None
+) -> Mesh:
+    """Hexahedra of an NMGS-SVMG result file, with the model they came from. Its tetrahedra and
+    related nodes are checked and left out: mesh.split() and mesh.related_nodes() give them."""
+    return _read_result(path, 3, numbering, progress)
+
+
+def _write_result(path: str, mesh: Any, dimension: int, progress: ProgressCallback) -> None:
+    format = f"n{dimension}r"
+    cell = "quad" if dimension == 2 else "hexahedron"
+    if not isinstance(mesh, Mesh):
+        raise ValueError(f"obj: {format} holds a Mesh, got {type(mesh).__name__}")
+    model = mesh.model
+    if model is None:
+        raise ValueError(
+            f"obj: {format} holds a mesh with the blocks it was generated from, but mesh.model is "
+            "None"
+        )
+    if model.dimension != dimension:
+        kind = {2: "8-node patches", 3: "20-node blocks"}
+        raise ValueError(
+            f"obj: {format} holds a mesh of {kind[dimension]}, but mesh.model has "
+            f"{kind[model.dimension]}"
+        )
+    if cell not in mesh.cells:
+        raise ValueError(
+            f"obj: {format} holds {cell} cells, but the mesh has {', '.join(mesh.cells) or 'none'}"
+        )
+    _kernel.core().write_result(
+        path,
+        model.nodes,
+        model.divisions,
+        model.spacing,
+        model.reference,
+        mesh.points,
+        mesh.cells[cell],
+        progress,
+    )
+
+
+def write_n2r(path: str, mesh: Mesh, progress: ProgressCallback = None) -> None:
+    """Writes a generated surface mesh as an NMGS-SSMG result file; needs mesh.model.
+
+    Raises ValueError when the mesh has no model, or cells that did not come from it.
+    """
+    _write_result(path, mesh, 2, progress)
+
+
+def write_n3r(path: str, mesh: Mesh, progress: ProgressCallback = None) -> None:
+    """Writes a generated solid mesh and its tetrahedra as an NMGS-SVMG result file."""
+    _write_result(path, mesh, 3, progress)

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
 import FreeCAD
 
 #: Version of the properties written into documents; raised when their meaning changes.
 SCHEMA_VERSION = 1
 
-#: type, name, group, tooltip, default (None: the type's own), editor mode (0, 1 read-only, 2 hidden)
+#: type, name, group, tooltip, default (None: the type's own), editor mode (1 read-only, 2 hidden)
 Property = Tuple[str, str, str, str, Any, int]
 
 _SCHEMA: Property = (
@@ -38,7 +38,7 @@ def add_properties(obj: Any, table: Sequence[Property]) -> None:
 class DocumentObject:
     """Base of the proxies. State lives in properties only; attributes of a proxy are caches.
 
-    A subclass sets `properties` and `view` (module, class in viewproviders) and writes compute(obj).
+    A subclass sets `properties`, `view` (module, class in viewproviders) and writes compute(obj).
     """
 
     properties: Sequence[Property] = ()
@@ -70,7 +70,12 @@ class DocumentObject:
             self.compute(obj)
         except Exception as error:
             self.failure = error
-            raise
+            # FreeCAD writes a traceback of all callers into the report view; this one is enough.
+            raise error.with_traceback(None)
+
+    def culprits(self, names: Sequence[str]) -> List[Tuple[Any, str]]:
+        """The document's elements that an error of this object names."""
+        return []
 
     def compute(self, obj: Any) -> None:
         """Properties in, result out; raises before anything of obj is changed."""

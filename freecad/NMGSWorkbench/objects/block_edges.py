@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Edges of 8-node patches and 20-node blocks as a shape.
+"""Edges and nodes of 8-node patches and 20-node blocks as a shape.
 
 A quadratic edge through three nodes is exactly a Bezier curve of degree 2 whose middle pole is
 2 m - (a + b) / 2 (L. Piegl, W. Tiller, The NURBS Book, 1997, section 1.3).
@@ -22,7 +22,7 @@ BLOCK_EDGES = np.array(
 
 
 def edges_shape(nodes: np.ndarray) -> Part.Shape:
-    """Compound of the curved edges, one for edges that elements share.
+    """Compound of the curved edges and their mid-side nodes, one for edges that elements share.
 
     nodes: float64 (NE, 8 | 20, 3). Edges collapsed to a point are left out.
     """
@@ -39,6 +39,7 @@ def edges_shape(nodes: np.ndarray) -> Part.Shape:
         if name not in seen:
             seen.add(name)
             shapes.append(_edge(a, middle, b, size))
+            shapes.append(Part.Vertex(*middle))
     return Part.makeCompound(shapes)
 
 

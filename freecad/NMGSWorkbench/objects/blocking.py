@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 
 from .. import nmgs
-from . import sources
+from . import gradings, sources
 from .base import DocumentObject
 from .block_edges import edges_shape
 from .run import run
@@ -65,6 +65,14 @@ PROPERTIES = (
         None,
         0,
     ),
+    (
+        "App::PropertyStringList",
+        "Grading",
+        "Elements",
+        "Spacing of each element's directions; empty where all are uniform",
+        None,
+        1,
+    ),
     ("App::PropertyString", "Reference", "Elements", "The user's reference text", None, 0),
     ("App::PropertyInteger", "ElementCount", "Elements", "Number of elements", None, 1),
     (
@@ -85,8 +93,10 @@ class Blocking(DocumentObject):
     nodes_per_element = 0
     text = "Fitting"
     _model: Optional[nmgs.BlockModel] = None
-    #: The document's element of each name that the fit's report or error uses.
-    owners: Dict[str, sources.Entity] = {}
+    #: What the last fit started from, to find the document's names of what it says.
+    _picked: Optional[sources.Picked] = None
+    #: nmgs.fit's report of this session's last fit.
+    report: Sequence[Dict[str, Any]] = ()
 
     def compute(self, obj: Any) -> None:
         model = self._fitted(obj) if obj.Source else self._given(obj)
@@ -94,8 +104,9 @@ class Blocking(DocumentObject):
         if obj.Source:
             obj.Nodes = [FreeCAD.Vector(*node) for node in model.nodes.reshape(-1, 3)]
             obj.Divisions = [int(n) for n in model.divisions.ravel()]
-            obj.Report = report_lines(model.report, self.owners)
+            obj.Report = [self._line(entry) for entry in model.report]
         obj.ElementCount = len(model)
+        self.report = model.report
         self._model = model
 
     def _given(self, obj: Any) -> nmgs.BlockModel:
@@ -106,7 +117,9 @@ class Blocking(DocumentObject):
             )
         nodes = np.array([tuple(node) for node in obj.Nodes], dtype=np.float64)
         nodes = nodes.reshape(count, self.nodes_per_element, 3)
-        return nmgs.BlockModel(nodes, self._divisions(obj, count), obj.Reference)
+        model = nmgs.BlockModel(nodes, self._divisions(obj, count), obj.Reference)
+        gradings.put(model, obj.Grading)
+        return model
 
     def _divisions(self, obj: Any, count: int) -> np.ndarray:
         directions = 2 if self.nodes_per_element == 8 else 3
@@ -119,7 +132,7 @@ class Blocking(DocumentObject):
 
     def _fitted(self, obj: Any) -> nmgs.BlockModel:
         picked = sources.gather(obj.Source)
-        self.owners = picked.owners
+        self._picked = picked
         model = run(
             lambda progress: nmgs.fit(
                 picked.shape,
@@ -140,6 +153,8 @@ class Blocking(DocumentObject):
             wanted = self._divisions(obj, len(model))
             if (wanted != model.divisions).any():
                 model.divisions = model._checked_divisions(wanted)
+        if not obj.AutoDivisions:
+            gradings.put(model, obj.Grading)
         model.reference = model._checked_reference(obj.Reference)
         return model
 
@@ -149,28 +164,37 @@ class Blocking(DocumentObject):
             self._model = self._fitted(obj) if obj.Source else self._given(obj)
         return self._model
 
-    def onChanged(self, obj: Any, prop: str) -> None:
-        if prop in ("Source", "Nodes", "Divisions", "Reference", "Size", "Tolerance", "Method"):
-            self._model = None
+    def culprits(self, names: Sequence[str]) -> List[sources.Entity]:
+        """The document's elements that the fit names, e.g. in an error."""
+        owners = [self._picked.owner(name) for name in names] if self._picked else []
+        return [owner for owner in owners if owner is not None]
 
-
-def report_lines(report: Sequence[Any], owners: Dict[str, sources.Entity]) -> List[str]:
-    """nmgs.fit's report as lines of text, with the document's names."""
-    lines = []
-    for entry in report:
-        obj, name = owners.get(entry["entity"], (None, entry["entity"]))
-        who = f"{obj.Label}.{name}" if obj is not None else name
+    def _line(self, entry: Dict[str, Any]) -> str:
+        owner = self.culprits([entry["entity"]])
+        who = f"{owner[0][0].Label}.{owner[0][1]}" if owner else entry["entity"]
         if entry["method"]:
-            lines.append(f"{who}: {entry['method']}, at most {entry['error']:.3g} off the CAD")
-        else:
-            lines.append(f"{who}: no block, {entry['reason']}")
-    return lines
+            return f"{who}: {entry['method']}, at most {entry['error']:.3g} off the CAD"
+        return f"{who}: left out, {entry['reason']}"
+
+    def onChanged(self, obj: Any, prop: str) -> None:
+        if prop in (
+            "Source",
+            "Nodes",
+            "Divisions",
+            "Grading",
+            "Reference",
+            "Size",
+            "Tolerance",
+            "Method",
+        ):
+            self._model = None
 
 
 def fill(obj: Any, model: nmgs.BlockModel, path: str = "") -> None:
     """Puts a model that was read or typed into obj's properties."""
     obj.Nodes = [FreeCAD.Vector(*node) for node in model.nodes.reshape(-1, 3)]
     obj.Divisions = [int(n) for n in model.divisions.ravel()]
+    obj.Grading = gradings.lines(model)
     obj.Reference = model.reference
     obj.File = path
     obj.AutoDivisions = False

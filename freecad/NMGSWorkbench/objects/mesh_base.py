@@ -6,10 +6,10 @@ from __future__ import annotations
 from typing import Any, Optional
 
 from .. import nmgs
-from ..nmgs import fem
+from ..fem.fem_mesh import fem_mesh
+from ..fem.from_fem_mesh import mesh_of
 from ..nmgs.mesh import CELL_TYPES
 from .base import DocumentObject
-from .from_fem_mesh import mesh_of
 
 FIGURES = (
     ("App::PropertyInteger", "NodeCount", "Figures", "Number of nodes", None, 1),
@@ -47,7 +47,7 @@ class MeshObject(DocumentObject):
     def put(self, obj: Any, mesh: nmgs.Mesh) -> None:
         """Makes the mesh obj's own, with its figures."""
         worst = worst_scaled_jacobian(mesh)
-        obj.FemMesh = fem.fem_mesh(mesh)
+        obj.FemMesh = fem_mesh(mesh)
         obj.NodeCount = len(mesh.points)
         top = max((CELL_TYPES[name][1] for name in mesh.cells), default=0)
         counts = {

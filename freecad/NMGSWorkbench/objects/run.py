@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long work is run: at once here; the window puts a runner with a progress dialog in its place."""
+"""How long work is run: at once here; the window puts a runner with a dialog in its place."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import Part
 
@@ -11,15 +11,32 @@ from ..nmgs.errors import GeometryError
 
 #: A document object and one sub-element's name, "" for the whole.
 Entity = Tuple[Any, str]
+_KINDS = ("Solid", "Face", "Edge", "Vertex")
+
+
+class Member(NamedTuple):
+    """An object and how many faces, edges, ... come before its own in the shape of all."""
+
+    obj: Any
+    before: Dict[str, int]
+    counts: Dict[str, int]
 
 
 class Picked(NamedTuple):
-    """shape: of the object, or of several as a compound. names: its picked elements.
-    owners: the document's element of each of those names."""
+    """shape: of the object, or of several as a compound. names: its picked elements."""
 
     shape: Part.Shape
     names: List[str]
-    owners: Dict[str, Entity]
+    parts: List[Member]
+
+    def owner(self, name: str) -> Optional[Entity]:
+        """The document's element of a name in the shape of all, None for one that is not in it."""
+        kind, number = split_name(name.rpartition(".")[2])
+        for part in self.parts:
+            local = number - part.before.get(kind, 0)
+            if 1 <= local <= part.counts.get(kind, 0):
+                return part.obj, f"{kind}{local}"
+        return None
 
 
 def entities(source: Sequence[Tuple[Any, Any]]) -> List[Entity]:
@@ -39,24 +56,28 @@ def gather(source: Sequence[Tuple[Any, Any]]) -> Picked:
         wanted.setdefault(obj, []).append(name)
     shapes: List[Part.Shape] = []
     names: List[str] = []
-    owners: Dict[str, Entity] = {}
-    before = {"Face": 0, "Solid": 0}
+    parts: List[Member] = []
+    before = {kind: 0 for kind in _KINDS}
     for obj, picked in wanted.items():
         shape = shape_of(obj)
-        counts = {"Face": len(shape.Faces), "Solid": len(shape.Solids)}
+        counts = {kind: shape.countElement(kind) for kind in _KINDS}
         if "" in picked:
             kind = "Solid" if counts["Solid"] else "Face"
             picked = [f"{kind}{n + 1}" for n in range(counts[kind])]
         for name in picked:
-            kind, number = _split(obj, name, counts)
-            numbered = f"{kind}{before[kind] + number}"
-            names.append(numbered)
-            owners[numbered] = (obj, name)
-        for kind in before:
-            before[kind] += counts[kind]
+            kind, number = _checked(obj, name, counts)
+            names.append(f"{kind}{before[kind] + number}")
+        parts.append(Member(obj, dict(before), counts))
+        before = {kind: before[kind] + counts[kind] for kind in _KINDS}
         shapes.append(shape)
     shape = shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
-    return Picked(shape, names, owners)
+    return Picked(shape, names, parts)
+
+
+def split_name(name: str) -> Tuple[str, int]:
+    """("Face", 3) of "Face3"."""
+    kind = name.rstrip("0123456789")
+    return kind, int(name[len(kind) :] or 0)
 
 
 def shape_of(obj: Any) -> Part.Shape:
@@ -78,15 +99,14 @@ def picked_shape(source: Sequence[Tuple[Any, Any]]) -> Part.Shape:
     parts = {"Face": picked.shape.Faces, "Solid": picked.shape.Solids}
     shapes = []
     for name in picked.names:
-        kind = name.rstrip("0123456789")
-        shapes.append(parts[kind][int(name[len(kind) :]) - 1])
+        kind, number = split_name(name)
+        shapes.append(parts[kind][number - 1])
     return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
 
 
-def _split(obj: Any, name: str, counts: Dict[str, int]) -> Tuple[str, int]:
-    kind = name.rstrip("0123456789")
-    number = int(name[len(kind) :] or 0)
-    if kind not in counts:
+def _checked(obj: Any, name: str, counts: Dict[str, int]) -> Tuple[str, int]:
+    kind, number = split_name(name)
+    if kind not in ("Face", "Solid"):
         raise GeometryError(f"{obj.Label}.{name}: expected a face or a solid.", [name])
     if not 1 <= number <= counts[kind]:
         raise GeometryError(

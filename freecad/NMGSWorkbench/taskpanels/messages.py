@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import traceback
-from typing import Any, List
+from typing import Any, List, Sequence
 
 import FreeCAD
 import FreeCADGui
@@ -22,13 +22,25 @@ def show_error(title: str, error: BaseException) -> Any:
         trace = traceback.format_exception(type(error), error, error.__traceback__)
         FreeCAD.Console.PrintLog("".join(trace))
     FreeCAD.Console.PrintError(f"{title}: {text}\n")
+    return _box(title, text, _reasons(error))
+
+
+def report_left_out(title: str, obj: Any) -> Any:
+    """The same for faces or solids that a fit had to leave out; None when there are none."""
+    left_out = [line for line in obj.Report if ": left out, " in line]
+    if not left_out:
+        return None
+    text = f"{len(left_out)} of {len(obj.Report)} could not be used; {obj.Label} has the others."
+    FreeCAD.Console.PrintWarning("\n".join([f"{title}: {text}", *left_out]) + "\n")
+    return _box(title, text, left_out)
+
+
+def _box(title: str, text: str, details: Sequence[str]) -> Any:
     box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
-    box.setObjectName("NMGS_Error")
+    box.setObjectName("NMGS_Message")
     box.setWindowTitle("NMGS")
     box.setIcon(QtGui.QMessageBox.Warning)
-    box.setText(title)
-    box.setInformativeText(text)
-    details = _reasons(error)
+    box.setText(f"{title}\n\n{text}")
     if details:
         box.setDetailedText("\n".join(details))
     box.finished.connect(box.deleteLater)

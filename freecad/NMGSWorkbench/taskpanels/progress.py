@@ -19,7 +19,7 @@ _POLL_MS = 40
 
 
 class _Worker(threading.Thread):
-    """Runs the job. The main thread reads `fraction` and sets `cancelled`; no Qt is touched here."""
+    """Runs the job. The main thread reads `fraction`, sets `cancelled`; no Qt is touched here."""
 
     def __init__(self, job: run.Job):
         super().__init__(name="nmgs", daemon=True)

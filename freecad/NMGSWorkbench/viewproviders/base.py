@@ -17,7 +17,7 @@ progress.install()
 
 
 class ViewProvider:
-    """Base. A subclass sets `icon_name`, and `panel` (module, class in taskpanels) if it has one."""
+    """Base. A subclass sets `icon_name`, and `panel` (module, class in taskpanels) or none."""
 
     icon_name = ""
     panel: Tuple[str, str] = ("", "")

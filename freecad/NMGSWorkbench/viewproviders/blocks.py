@@ -14,6 +14,6 @@ class BlocksView(ViewProvider):
 
     def dress(self, vobj: Any) -> None:
         vobj.LineColor = (0.90, 0.45, 0.10)
-        vobj.PointColor = vobj.LineColor
-        vobj.LineWidth = 3.0
-        vobj.PointSize = 5.0
+        vobj.PointColor = (0.60, 0.10, 0.05)
+        vobj.LineWidth = 4.0
+        vobj.PointSize = 8.0

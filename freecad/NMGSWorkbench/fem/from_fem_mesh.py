@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fem.FemMesh -> nmgs.Mesh, the way back from nmgs.fem.fem_mesh."""
+"""Fem.FemMesh -> nmgs.Mesh, the way back from fem_mesh."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, Dict, List, Tuple
 import numpy as np
 
 from .. import nmgs
-from ..nmgs.fem import _ORDER
+from .fem_mesh import NODE_ORDER
 from ..nmgs.mesh import CELL_TYPES
 
 _DIMENSIONS = {"Edge": 1, "Face": 2, "Volume": 3}
@@ -42,7 +42,7 @@ def mesh_of(fem_mesh: Any) -> nmgs.Mesh:
         for name, rows in _by_type(fem_mesh, elements, dimension).items():
             for row, element in enumerate(rows[0]):
                 at[element] = (name, row)
-            order = _ORDER.get(name, tuple(range(CELL_TYPES[name][0])))
+            order = NODE_ORDER.get(name, tuple(range(CELL_TYPES[name][0])))
             found = np.empty((len(rows[1]), len(order)), dtype=np.int64)
             found[:, order] = np.array(rows[1], dtype=np.int64)
             cells[name] = np.searchsorted(numbers, found)

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Faces of blocks, or edges of patches, that touch without being shared: one that covers two
+// others, for example. Their meshes fit where the lattice cells on both sides are the same.
+#pragma once
+
+#include "nmgs/blocking/topology.h"
+
+#include <vector>
+
+namespace nmgs {
+
+struct Contact {
+    std::size_t block_a, block_b;
+    int part_a, part_b;
+    double distance; // of the two, at the place
+    Vec3 place;      // middle of the first cell that does not fit
+};
+
+// The contacts whose cells do not fit, at most one a pair of parts. Parts that share a corner touch
+// when they come within the topology's tolerance, others when within `gap`.
+std::vector<Contact> find_bad_contacts(const BlockModel &model, const Topology &topology,
+                                       double gap);
+
+} // namespace nmgs
