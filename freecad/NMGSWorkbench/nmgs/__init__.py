@@ -17,6 +17,7 @@ from .fem import to_fem
 from .io import read, write
 from .mesh import Mesh
 from .plc import PLC
+from .plc_problem import PLCProblem
 from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
@@ -29,6 +30,7 @@ __all__ = [
     "KernelMissing",
     "Mesh",
     "PLC",
+    "PLCProblem",
     "TetGenError",
     "TetOptions",
     "fit",
