@@ -43,10 +43,7 @@ public:
             for (const Vec3 &p : model.element(b)) {
                 box.add(p);
             }
-            // A quadratic edge rises above its nodes by at most an eighth of their extent, a face
-            // or block by that for each of its directions.
-            const Vec3 more = 0.25 * (box.high - box.low);
-            boxes_.push_back({box.low - more, box.high + more});
+            boxes_.push_back(box);
         }
     }
 
@@ -118,6 +115,9 @@ private:
 
     void check_conflicts() {
         for (const Conflict &c : topology_.conflicts) {
+            const auto pair = std::minmax(c.block_a, c.block_b);
+            sharing_.emplace(static_cast<std::size_t>(pair.first),
+                             static_cast<std::size_t>(pair.second));
             const bool spacing = c.reason.starts_with("spaced");
             add(spacing ? ProblemKind::spacing : ProblemKind::divisions,
                 static_cast<std::size_t>(c.block_a), c.block_b, c.place,
@@ -226,7 +226,8 @@ private:
     // Blocks that share no face: places inside one that are inside the other too.
     void check_overlaps(const Progress &progress) {
         std::vector<std::pair<std::size_t, std::size_t>> pairs;
-        for (const auto &pair : near_boxes(boxes_, 0.0)) {
+        // Boxes of the nodes will do: what a curved face has outside of them is thin.
+        for (const auto &pair : near_boxes(boxes_, -topology_.tolerance)) {
             if (!sharing_.contains(pair)) {
                 pairs.push_back(pair);
             }
