@@ -227,7 +227,8 @@ private:
     void check_overlaps(const Progress &progress) {
         std::vector<std::pair<std::size_t, std::size_t>> pairs;
         // Boxes of the nodes will do: what a curved face has outside of them is thin.
-        for (const auto &pair : near_boxes(boxes_, -topology_.tolerance)) {
+        for (const auto &pair : near_boxes(boxes_, model_.dimension == 3 ? -topology_.tolerance
+                                                                         : topology_.tolerance)) {
             if (!sharing_.contains(pair)) {
                 pairs.push_back(pair);
             }
@@ -263,13 +264,17 @@ private:
         for (const double xi : samples) {
             for (const double eta : samples) {
                 for (const double zeta : samples) {
-                    if (model_.dimension == 2 && zeta != 0) {
+                    // The middle, and places towards the corners.
+                    const int middles = (xi == 0 ? 1 : 0) + (eta == 0 ? 1 : 0);
+                    if (model_.dimension == 2 ? zeta != 0 || middles == 1
+                                              : middles + (zeta == 0 ? 1 : 0) != 0 &&
+                                                    middles + (zeta == 0 ? 1 : 0) != 3) {
                         continue;
                     }
                     place = at(a, {xi, eta, zeta});
                     Box point;
                     point.add(place);
-                    if (!boxes_[b].near(point, 0.0)) {
+                    if (!boxes_[b].near(point, topology_.tolerance)) {
                         continue;
                     }
                     if (model_.dimension == 3) {
