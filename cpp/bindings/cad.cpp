@@ -4,10 +4,11 @@
 #include "errors.h"
 #include "mesh.h"
 
+#include "nmgs_cad/facets.h"
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/mapped.h"
-
-#include <Standard_Version.hxx>
+#include "nmgs_cad/refine.h"
+#include "nmgs_cad/version.h"
 
 #include <memory>
 
@@ -35,15 +36,19 @@ py::dict entry_dict(const cad::FitEntry &entry) {
 }
 
 // {nodes, offsets, entities, report} of faces (dimension 2) or solids (3).
-py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices) {
+py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices,
+             double tolerance, const py::object &progress) {
     CadBlocks blocks;
     blocks.model.dimension = dimension;
     {
+        const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
         for (const int n : indices) {
             dimension == 2 ? cad::fit_mapped_face(shape, n, blocks)
                            : cad::fit_mapped_solid(shape, n, blocks);
         }
+        constexpr int rounds = 6;
+        blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
     }
     py::list report;
     for (const auto &entry : blocks.report) {
@@ -87,6 +92,34 @@ py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const In
     return give_mesh(std::move(mesh));
 }
 
+py::array_t<double> point_array(const std::vector<Vec3> &points) {
+    Array<Vec3> copy(points.size());
+    std::copy(points.begin(), points.end(), copy.begin());
+    return give_points(std::move(copy));
+}
+
+// {points, triangles, faces, solid_points, hole_points}; see nmgs_cad/facets.h.
+py::dict facets(const CadShape &shape, double deviation) {
+    cad::Facets facets;
+    {
+        const py::gil_scoped_release release;
+        facets = cad::make_facets(shape, deviation);
+    }
+    Array<std::int32_t> nodes(3 * facets.triangles.size());
+    std::int32_t *out = nodes.data();
+    for (const auto &triangle : facets.triangles) {
+        out = std::copy(triangle.begin(), triangle.end(), out);
+    }
+    const auto count = static_cast<py::ssize_t>(facets.face.size());
+    py::dict result;
+    result["points"] = point_array(facets.points);
+    result["triangles"] = give_cells(std::move(nodes), 3);
+    result["faces"] = give<std::int32_t>(std::move(facets.face), {count});
+    result["solid_points"] = point_array(facets.solid_points);
+    result["hole_points"] = point_array(facets.hole_points);
+    return result;
+}
+
 } // namespace
 } // namespace nmgs::bindings
 
@@ -94,7 +127,7 @@ PYBIND11_MODULE(cad, module) {
     using namespace nmgs::bindings;
     module.doc() = "Kernel of the NMGS Workbench with OpenCASCADE.";
     register_errors();
-    module.attr("occt_version") = OCC_VERSION_COMPLETE;
+    module.attr("occt_version") = nmgs::cad::occt_version();
     py::class_<nmgs::cad::CadShape, std::shared_ptr<nmgs::cad::CadShape>>(
         module, "CadShape", "A shape whose FaceN, EdgeN, VertexN are FreeCAD's.")
         .def(py::init(&read_brep), py::arg("brep"), "From the bytes of a BREP of OpenCASCADE.")
@@ -107,9 +140,11 @@ PYBIND11_MODULE(cad, module) {
         .def_property_readonly("vertices",
                                [](const nmgs::cad::CadShape &s) { return s.vertices.Extent(); })
         .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
-    module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"));
+    module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"),
+               py::arg("tolerance"), py::arg("progress") = py::none());
     module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none());
+    module.def("facets", &facets, py::arg("shape"), py::arg("deviation"));
 }

@@ -7,6 +7,7 @@
 namespace nmgs::bindings {
 
 void bind_blocking(pybind11::module_ &module);
+void bind_plc(pybind11::module_ &module);
 void bind_formats(pybind11::module_ &module);
 void bind_convert(pybind11::module_ &module);
 void bind_mesh(pybind11::module_ &module);

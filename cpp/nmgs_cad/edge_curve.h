@@ -2,7 +2,7 @@
 // Points of a CAD edge by the fraction of its length.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <TopoDS_Edge.hxx>
@@ -17,6 +17,8 @@ public:
     [[nodiscard]] double length() const { return length_; }
     // Point at a fraction in [0, 1] of the length.
     [[nodiscard]] Vec3 at(double fraction) const;
+    // Fraction of the length at the edge's point that is nearest to p.
+    [[nodiscard]] double fraction(Vec3 p) const;
 
 private:
     BRepAdaptor_Curve curve_;

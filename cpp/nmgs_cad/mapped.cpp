@@ -4,7 +4,6 @@
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs_cad/edge_curve.h"
-#include "nmgs_cad/face_projection.h"
 #include "nmgs_cad/four_sides.h"
 
 #include <BRep_Tool.hxx>
@@ -30,22 +29,6 @@ int part_of_node(int dimension, std::size_t n) {
     return dimension == 2 ? part::code(digit(quad8::natural[n][0]), digit(quad8::natural[n][1]), 0)
                           : part::code(digit(hexa20::natural[n][0]), digit(hexa20::natural[n][1]),
                                        digit(hexa20::natural[n][2]));
-}
-
-// Largest distance of a patch from the face that it stands for, by sampling.
-void measure(const CadShape &shape, int face, std::span<const Vec3, 8> patch, FitEntry &entry) {
-    FaceProjection projection(shape.face(face));
-    constexpr int samples = 8;
-    for (int j = 0; j <= samples; ++j) {
-        for (int i = 0; i <= samples; ++i) {
-            const Vec3 p = quad8::map(patch, 2.0 * i / samples - 1, 2.0 * j / samples - 1);
-            const double d = distance(p, projection.nearest(p));
-            if (d > entry.error) {
-                entry.error = d;
-                entry.place = {p.x, p.y, p.z};
-            }
-        }
-    }
 }
 
 // Puts a block's nodes and binding behind those that are there. on[p] are the entities of part p.
@@ -93,7 +76,6 @@ void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks) {
     entry.method = "mapped";
     entry.first_block = static_cast<std::int32_t>(blocks.model.size());
     entry.blocks = 1;
-    measure(shape, face, nodes, entry);
     append(blocks, nodes, on);
     blocks.report.push_back(entry);
 }
@@ -113,14 +95,16 @@ std::array<int, 2> sorted(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-// The block that stands on the given face with its corner 1 at the start-th corner.
-bool make_parts(const SolidSides &sides, int bottom, std::size_t start, BlockParts &parts) {
+// The block that stands on the given face with its corner 1 at the start-th corner. A solid that is
+// stored inside out needs the bottom's corners the other way round.
+bool make_parts(const SolidSides &sides, int bottom, std::size_t start, bool inside_out,
+                BlockParts &parts) {
     parts.fill(0);
     // Seen from inside, the bottom's corners run the other way round.
     std::array<int, 8> corner{};
     const FourSides &base = sides.of_face.at(bottom);
     for (std::size_t i = 0; i < 4; ++i) {
-        corner[i] = base.corner[(start + 4 - i) % 4];
+        corner[i] = base.corner[(inside_out ? start + i : start + 4 - i) % 4];
     }
     const std::set<int> base_edges(base.edge.begin(), base.edge.end());
     for (std::size_t i = 0; i < 4; ++i) {
@@ -200,23 +184,6 @@ std::array<Vec3, 20> nodes_of(const CadShape &shape, const BlockParts &parts) {
     return nodes;
 }
 
-// Nodes of the block's face, as a patch.
-std::array<Vec3, 8> face_patch(std::span<const Vec3, 20> nodes, int code) {
-    const auto axes = part::axes(code);
-    const auto digits = part::digits(code);
-    std::array<Vec3, 8> patch{};
-    for (std::size_t i = 0; i < 8; ++i) {
-        std::array<double, 3> at{};
-        for (std::size_t d = 0; d < 3; ++d) {
-            at[d] = digits[d] - 1;
-        }
-        at[static_cast<std::size_t>(axes.axis[0])] = quad8::natural[i][0];
-        at[static_cast<std::size_t>(axes.axis[1])] = quad8::natural[i][1];
-        patch[i] = hexa20::map(nodes, at[0], at[1], at[2]);
-    }
-    return patch;
-}
-
 } // namespace
 
 void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
@@ -268,14 +235,13 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
     std::array<Vec3, 20> nodes{};
     double best_alignment = -4;
     for (const auto &[face, four] : sides.of_face) {
-        for (std::size_t start = 0; start < 4; ++start) {
+        for (std::size_t start = 0; start < 8; ++start) {
             BlockParts parts{};
-            if (!make_parts(sides, face, start, parts)) {
+            if (!make_parts(sides, face, start % 4, start >= 4, parts)) {
                 continue;
             }
             const auto candidate = nodes_of(shape, parts);
             const double a = alignment(candidate);
-            // A solid that is stored inside out would give a mirrored block.
             if (a > best_alignment + 1e-9 && hexa20::jacobian(candidate, 0, 0, 0) > 0) {
                 best_alignment = a;
                 best = parts;
@@ -284,9 +250,7 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
         }
     }
     if (best_alignment == -4) {
-        refuse(blocks, me,
-               name +
-                   " has six four-sided faces that do not join as a block's do, or is inside out",
+        refuse(blocks, me, name + " has six four-sided faces that do not join as a block's do",
                {name});
         return;
     }
@@ -301,9 +265,6 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
         const auto c = static_cast<std::size_t>(code);
         const int dimension = part::dimension(code);
         on[c] = {{dimension, dimension == 3 ? solid : best[c]}};
-        if (dimension == 2) {
-            measure(shape, best[c], face_patch(nodes, code), entry);
-        }
     }
     append(blocks, nodes, on);
     blocks.report.push_back(entry);

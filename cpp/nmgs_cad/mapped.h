@@ -8,7 +8,8 @@
 namespace nmgs::cad {
 
 // Adds one 8-node patch for face n to blocks, its normal that of the face, and an entry to the
-// report: with a reason and without a block when the face has not four sides.
+// report: with a reason and without a block when the face has not four sides. The fit's error is
+// not measured here.
 void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks);
 
 // The same for solid n and one 20-node block. xi, eta, zeta run along x, y, z as nearly as can be.

@@ -85,11 +85,12 @@ void Snapper::edge(std::size_t block, int code) {
     high[axis] = n;
     if (on.size() == 1 && on[0].dimension == 1) {
         const EdgeCurve curve(shape.edge(on[0].index));
-        const Vec3 start = points[id(block, low)];
-        const bool forward = norm2(curve.at(0) - start) <= norm2(curve.at(1) - start);
+        // A block that was halved covers a part of the edge.
+        const double from = curve.fraction(points[id(block, low)]);
+        const double to = curve.fraction(points[id(block, high)]);
         for (at[axis] = 1; at[axis] < n; ++at[axis]) {
             const double f = t[static_cast<std::size_t>(at[axis])];
-            points[id(block, at)] = curve.at(forward ? f : 1 - f);
+            points[id(block, at)] = curve.at(from + f * (to - from));
         }
         return;
     }

@@ -13,8 +13,12 @@ from .errors import (
     KernelMissing,
     TetGenError,
 )
+from .fem import to_fem
 from .io import read, write
 from .mesh import Mesh
+from .plc import PLC
+from .plc_problem import PLCProblem
+from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
     "BlockModel",
@@ -25,10 +29,15 @@ __all__ = [
     "GeometryError",
     "KernelMissing",
     "Mesh",
+    "PLC",
+    "PLCProblem",
     "TetGenError",
+    "TetOptions",
     "fit",
     "grading",
     "read",
+    "to_fem",
+    "tetrahedralize",
     "shapes",
     "write",
 ]

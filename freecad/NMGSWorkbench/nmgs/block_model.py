@@ -85,10 +85,10 @@ class BlockModel:
             raise ValueError(f"nodes: node {node + 1} of element {element + 1} is not finite")
         self.divisions = self._checked_divisions(divisions)
         self.reference = self._checked_reference(reference)
-        #: grading[element][direction]: a Grading. Uniform where nothing is set; see set_grading.
-        self.grading = [[Grading()] * self.dimension for _ in range(len(self))]
         #: The CAD that nmgs.fit laid the blocks over, or None.
         self.cad: Optional[CadLink] = None
+        #: grading[element][direction]: a Grading. Uniform where nothing is set; see set_grading.
+        self.grading = [[Grading()] * self.dimension for _ in range(len(self))]
         #: What nmgs.fit found out, one entry a face or solid; empty for other models.
         self.report: list = []
 

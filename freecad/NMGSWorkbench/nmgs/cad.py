@@ -9,7 +9,6 @@ import numpy as np
 
 from . import _kernel
 from .block_model import BlockModel, CadLink
-from .chain_divisions import divisions_by_size
 from .errors import BlockingError, GeometryError
 
 #: Strategies by name; "auto" takes the best.
@@ -24,14 +23,15 @@ def fit(
     progress: Optional[Callable[[float], Any]] = None,
     entities: Optional[Sequence[str]] = None,
 ) -> BlockModel:
-    """Blocks over CAD: one 8-node patch for each face with four sides, or one 20-node block for each
-    solid with six such faces.
+    """Blocks over CAD: 8-node patches over faces with four sides, or 20-node blocks in solids with
+    six such faces.
 
     shape: a Part.Shape, a list of them, or a document object. Solids are filled if it has any, else
     its faces are covered. size: wanted length of an element's edge; None for a thirtieth of the
-    shape's diagonal. tolerance: largest distance of a block's face from the CAD that is accepted;
-    None accepts all, and the distance is in the report. entities: only these, all faces
-    ("Face3", ...) or all solids ("Solid1", ...). The model's report has an entry a face or solid.
+    shape's diagonal. tolerance: blocks are halved until no face of theirs is farther than this
+    from its CAD face; None for a thousandth of the diagonal. What was reached is in the report.
+    entities: only these, all faces ("Face3", ...) or all solids ("Solid1", ...).
+    The model's report has an entry a face or solid.
     Raises GeometryError when the shape is empty or not valid, BlockingError when no block could be
     made, ValueError.
     """
@@ -46,27 +46,17 @@ def fit(
     _check_valid(part, dimension, indices)
     kernel = _kernel.cad()
     cad_shape = kernel.CadShape(brep_bytes(part))
-    raw = kernel.fit(cad_shape, dimension, indices)
+    accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
+    raw = kernel.fit(cad_shape, dimension, indices, accepted, progress)
     report = raw["report"]
-    refused = [entry for entry in report if not entry["method"]]
-    if tolerance is not None:
-        for entry in report:
-            if entry["method"] and entry["error"] > tolerance:
-                entry["reason"] = (
-                    f"the block is {entry['error']:.3g} away from {entry['entity']} near "
-                    f"{tuple(round(c, 6) for c in entry['place'])}; {tolerance:.3g} is accepted"
-                )
-                refused.append(entry)
-    if not len(raw["nodes"]) or (tolerance is not None and refused):
-        names = [entry["entity"] for entry in refused]
-        reasons = [entry["reason"] for entry in refused]
+    if not len(raw["nodes"]):
+        names = [entry["entity"] for entry in report]
+        reasons = [entry["reason"] for entry in report]
         raise BlockingError("no blocks: " + "; ".join(reasons), names, reasons)
 
-    link = CadLink(cad_shape, raw["offsets"], raw["entities"])
-    nodes = raw["nodes"]
-    wanted = cad_shape.diagonal / 30 if size is None else float(size)
-    model = BlockModel(nodes, divisions_by_size(nodes, link, wanted))
-    model.cad = link
+    model = BlockModel(raw["nodes"], 1)
+    model.cad = CadLink(cad_shape, raw["offsets"], raw["entities"])
+    model.set_divisions(cad_shape.diagonal / 30 if size is None else float(size))
     model.report = report
     return model
 

@@ -9,10 +9,27 @@ from typing import Any, Dict, Optional, Tuple
 
 #: format name -> (module beside this one, reader or "", writer or "")
 FORMATS: Dict[str, Tuple[str, str, str]] = {
+    "inp": ("abaqus_file", "read_inp", "write_inp"),
+    "vtk": ("meshio_files", "read_mesh", ""),
+    "vtu": ("meshio_files", "read_mesh", "write_vtu"),
     "n2s": ("nmgs_files", "read_n2s", "write_n2s"),
     "n3s": ("nmgs_files", "read_n3s", "write_n3s"),
     "n2r": ("nmgs_files", "read_n2r", "write_n2r"),
     "n3r": ("nmgs_files", "read_n3r", "write_n3r"),
+    "node": ("tetgen_files", "read_node", "write_node"),
+    "poly": ("tetgen_files", "read_poly", "write_poly"),
+    "smesh": ("tetgen_files", "read_smesh", "write_smesh"),
+    "ele": ("tetgen_files", "read_ele", "write_ele"),
+    "face": ("tetgen_files", "read_face", "write_face"),
+    "edge": ("tetgen_files", "read_edge", "write_edge"),
+    "neigh": ("tetgen_files", "read_neigh", "write_neigh"),
+    "face.gid": ("tetgen_files", "read_face_gid", "write_face_gid"),
+    "ele.gid": ("tetgen_files", "read_ele_gid", "write_ele_gid"),
+    "off": ("surface_files", "read_off", "write_off"),
+    "stl": ("surface_files", "read_stl", "write_stl"),
+    "ply": ("surface_files", "read_mesh", ""),
+    "mesh": ("surface_files", "read_mesh", ""),
+    "obj": ("surface_files", "read_mesh", ""),
 }
 
 

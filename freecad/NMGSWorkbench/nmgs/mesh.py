@@ -38,7 +38,7 @@ class Mesh:
     """Points, cells by type and named groups.
 
     points: float64 (N, 3). cells: meshio's cell name -> int32 (M, k), 0-based, VTK's node order.
-    groups: name -> (cell name | "node", int32 indices). model: the BlockModel it came from, or None.
+    groups: name -> (cell name | "node", int32 indices). model: the BlockModel it came from, if any.
     Raises ValueError that names the argument when shapes or indices are wrong.
     """
 

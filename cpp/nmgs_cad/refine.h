@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Halves blocks until their faces are as near to the CAD as is asked for.
+#pragma once
+
+#include "nmgs/support/progress.h"
+#include "nmgs_cad/cad_blocks.h"
+#include "nmgs_cad/cad_shape.h"
+
+namespace nmgs::cad {
+
+// Splits each block in two along the directions that pieces[block] asks for (2; 1 keeps it). Blocks
+// that share an edge must ask for the same along it. New nodes lie on the CAD as snap() puts them.
+CadBlocks split_blocks(const CadShape &shape, const CadBlocks &blocks,
+                       const std::vector<std::array<std::int32_t, 3>> &pieces);
+
+// Splits along whole chains of blocks, only in directions in which the quadratic does not follow
+// the CAD, until no block's face is farther than tolerance from its CAD face, or no more than
+// max_rounds times. The report's errors are measured anew.
+CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double tolerance,
+                              int max_rounds, const Progress &progress = {});
+
+// Largest distance of the faces of blocks [first, last) from the CAD faces that they lie on, by
+// sampling, and where.
+struct FitError {
+    double distance = 0;
+    std::array<double, 3> place{0, 0, 0};
+};
+FitError measure(const CadShape &shape, const CadBlocks &blocks, std::int32_t first,
+                 std::int32_t last);
+
+} // namespace nmgs::cad

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// nmgs-tet: reads one request, runs TetGen on it, writes the answer and ends. Whatever TetGen does
+// to this process, the workbench's process lives on.
+#include "nmgs_tet/input.h"
+#include "nmgs_tet/limits.h"
+#include "nmgs_tet/result.h"
+
+#include <tetgen.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+namespace {
+
+using namespace nmgs::tet;
+
+// Codes of the errors that are not TetGen's own (1 memory, 2 internal, 3 self-intersection,
+// 4 small feature, 5 close facets, 10 input).
+constexpr int memory_code = 1;
+constexpr int internal_code = 2;
+constexpr int input_code = 10;
+constexpr int protocol_code = 101;
+
+int answer_descriptor = -1;
+
+// Ends the process once all is said. Neither destructors nor exit handlers run: freeing a large
+// mesh piece by piece takes longer than the system does.
+[[noreturn]] void leave(int status) {
+    std::fflush(stdout);
+    std::fflush(stderr);
+    std::_Exit(status);
+}
+
+[[noreturn]] void leave_with_error(int code, const std::string &text) {
+    std::fflush(stdout);
+    write_text(answer_descriptor, Kind::error, text, code);
+    leave(EXIT_FAILURE);
+}
+
+// TetGen calls exit() in places; leave() does not come here.
+void on_exit() {
+    leave_with_error(internal_code, "TetGen ended the process");
+}
+
+void run(const Request &request) {
+    Input input(request);
+    std::string switches = request.text(In::switches);
+    tetgenio result;
+    tetrahedralize(switches.data(), &input.main, &result,
+                   input.added.numberofpoints > 0 ? &input.added : nullptr,
+                   input.background.numberofpoints > 0 ? &input.background : nullptr);
+    std::fflush(stdout);
+    write_result(answer_descriptor, result);
+    write_text(answer_descriptor, Kind::done, "");
+    leave(EXIT_SUCCESS);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    if (argc == 2 && std::string_view(argv[1]) == "--version") {
+        std::puts(NMGS_TETGEN_VERSION);
+        return EXIT_SUCCESS;
+    }
+    if (argc > 1) {
+        std::fputs("nmgs-tet, the TetGen worker of the NMGS Workbench, reads a request from its "
+                   "standard input; --version tells TetGen's version\n",
+                   stderr);
+        return EXIT_FAILURE;
+    }
+    // TetGen prints to standard output: what it says goes to standard error, line by line.
+    answer_descriptor = ::dup(STDOUT_FILENO);
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+    forbid_core_files();
+    std::atexit(on_exit);
+    write_text(answer_descriptor, Kind::hello, NMGS_TETGEN_VERSION,
+               static_cast<std::int32_t>(protocol_version));
+    try {
+        start_life_line(STDIN_FILENO);
+        const Request request = read_request(STDIN_FILENO);
+        guard_life_line();
+        run(request);
+    } catch (const EndOfInput &) {
+        leave(EXIT_FAILURE);
+    } catch (const ProtocolError &e) {
+        leave_with_error(protocol_code, e.what());
+    } catch (const InputError &e) {
+        leave_with_error(input_code, e.what());
+    } catch (const std::bad_alloc &) {
+        leave_with_error(memory_code, "not enough memory");
+    } catch (const std::exception &e) {
+        leave_with_error(internal_code, e.what());
+    } catch (int code) { // TetGen's way to stop
+        leave_with_error(code, "");
+    }
+}

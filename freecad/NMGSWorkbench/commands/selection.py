@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user has picked, as the commands understand it."""
+
+from __future__ import annotations
+
+from typing import Any, List, Tuple
+
+import FreeCADGui
+
+from ..objects.base import DocumentObject
+
+#: A LinkSubList's value: [(object, ("Face1", "Face2")), ...].
+Source = List[Tuple[Any, Tuple[str, ...]]]
+
+
+def picked(kind: type) -> List[Any]:
+    """The picked objects of a kind of NMGS object, in the order they were picked."""
+    return [
+        pick.Object
+        for pick in FreeCADGui.Selection.getSelectionEx()
+        if isinstance(getattr(pick.Object, "Proxy", None), kind)
+    ]
+
+
+def picked_faces() -> Source:
+    """Picked faces; all faces of objects that were picked as a whole."""
+    return _picked_elements("Face", _all_faces)
+
+
+def picked_solids() -> Source:
+    """Solids: picked in a dialog or script, of picked objects, or those that own picked faces."""
+    return _picked_elements("Solid", _all_solids)
+
+
+def has_cad(obj: Any, element: str) -> bool:
+    """Whether obj has CAD geometry with such elements; the edges of blocks are not meant."""
+    if not obj.isDerivedFrom("Part::Feature"):
+        return False
+    if isinstance(getattr(obj, "Proxy", None), DocumentObject):
+        return False
+    return bool(obj.Shape.countElement(element))
+
+
+def can_pick(element: str) -> bool:
+    """Whether something picked has faces, or solids. Quick, as FreeCAD asks all the time."""
+    for pick in FreeCADGui.Selection.getSelectionEx():
+        if not has_cad(pick.Object, element):
+            continue
+        names = pick.SubElementNames
+        if not names or any(name.startswith(("Face", element)) for name in names):
+            return True
+    return False
+
+
+def _all_faces(obj: Any, names: Tuple[str, ...]) -> List[str]:
+    found = [name for name in names if name.startswith("Face")]
+    for name in names:
+        if name.startswith("Solid"):
+            found += _numbered("Face", obj.Shape.Faces, obj.Shape.getElement(name).Faces)
+    if not names:
+        found = [f"Face{n + 1}" for n in range(len(obj.Shape.Faces))]
+    return found
+
+
+def _all_solids(obj: Any, names: Tuple[str, ...]) -> List[str]:
+    solids = obj.Shape.Solids
+    if not names:
+        return [f"Solid{n + 1}" for n in range(len(solids))]
+    found = [name for name in names if name.startswith("Solid")]
+    for name in names:
+        if name.startswith("Face"):
+            face = obj.Shape.getElement(name)
+            owners = [s for s in solids if any(face.isSame(f) for f in s.Faces)]
+            found += _numbered("Solid", solids, owners)
+    return found
+
+
+def _numbered(kind: str, everything: List[Any], wanted: List[Any]) -> List[str]:
+    return [
+        f"{kind}{n + 1}"
+        for n, shape in enumerate(everything)
+        if any(shape.isSame(other) for other in wanted)
+    ]
+
+
+def _picked_elements(element: str, names_of: Any) -> Source:
+    source: Source = []
+    for pick in FreeCADGui.Selection.getSelectionEx():
+        if has_cad(pick.Object, element):
+            names = tuple(dict.fromkeys(names_of(pick.Object, pick.SubElementNames)))
+            if names:
+                source.append((pick.Object, names))
+    return source

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A static analysis of a mesh in one call, and its solution by CalculiX through FreeCAD's FEM."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Optional, Sequence
+
+from ..nmgs.errors import Error
+
+#: FreeCAD's own steel, S235, as its material card has it.
+STEEL = {
+    "Name": "Steel",
+    "YoungsModulus": "210000 MPa",
+    "PoissonRatio": "0.30",
+    "Density": "7900 kg/m^3",
+}
+
+
+class SolverError(Error):
+    """FEM's checks or CalculiX refused the analysis; the message has their words."""
+
+
+def static_analysis(
+    part: Any,
+    mesh: Any,
+    fixed: Sequence[str],
+    loaded: Sequence[str],
+    force: float,
+    direction: Optional[Any] = None,
+    material: Optional[Dict[str, str]] = None,
+) -> Any:
+    """A Fem::FemAnalysis: faces of part held, a force in N spread over others, solved on mesh.
+
+    part: the document object whose faces are named ("Face1"). mesh: a Fem::FemMeshObject on it.
+    direction: (object, sub-elements) of a straight edge or plane face that gives the force's
+    direction; None for the loaded face's inward normal. material: FreeCAD's material keys, steel
+    if none. Raises ValueError when a face is not of the part.
+    """
+    import ObjectsFem
+
+    for name in (*fixed, *loaded):
+        number = name[4:]
+        if not name.startswith("Face") or not number.isdigit():
+            raise ValueError(f"faces: expected names like 'Face1', got {name!r}")
+        if not 1 <= int(number) <= len(part.Shape.Faces):
+            raise ValueError(f"faces: {part.Label} has no {name}")
+    document = part.Document
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    analysis.addObject(_make_solver(document))
+    steel = ObjectsFem.makeMaterialSolid(document, "Material")
+    steel.Material = dict(material or STEEL)
+    analysis.addObject(steel)
+    hold = ObjectsFem.makeConstraintFixed(document, "Fixed")
+    hold.References = [(part, name) for name in fixed]
+    analysis.addObject(hold)
+    load = ObjectsFem.makeConstraintForce(document, "Force")
+    load.References = [(part, name) for name in loaded]
+    _set_force(load, force)
+    if direction is not None:
+        load.Direction = direction
+    analysis.addObject(load)
+    analysis.addObject(mesh)
+    document.recompute()
+    return analysis
+
+
+def _make_solver(document: Any) -> Any:
+    import ObjectsFem
+
+    # The name drifted between FreeCAD 0.20 and 1.0.
+    make = getattr(ObjectsFem, "makeSolverCalculiXCcxTools", None) or getattr(
+        ObjectsFem, "makeSolverCalculixCcxTools"
+    )
+    solver = make(document, "CalculiX")
+    solver.AnalysisType = "static"
+    solver.GeometricalNonlinearity = "linear"
+    return solver
+
+
+def _set_force(load: Any, force: float) -> None:
+    # A float in N on 0.20, a quantity with a unit from 1.0 on.
+    if isinstance(load.Force, float):
+        load.Force = force
+    else:
+        load.Force = f"{force} N"
+
+
+def solve(analysis: Any, folder: Optional[str] = None) -> Any:
+    """Runs CalculiX and returns the result object, a Fem::FemResultObject, also in the analysis.
+
+    folder: where the input file and CalculiX's output go; None for a temporary one.
+    Raises SolverError with the words of FEM's checks or of CalculiX.
+    """
+    from femtools import ccxtools
+
+    solvers = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemSolverObjectPython")]
+    if len(solvers) != 1:
+        raise SolverError(f"{analysis.Label} has {len(solvers)} solvers; one is needed")
+    tools = ccxtools.FemToolsCcx(analysis, solvers[0])
+    tools.purge_results()
+    tools.update_objects()
+    tools.setup_working_dir(folder)
+    tools.setup_ccx()
+    problems = tools.check_prerequisites()
+    if problems:
+        raise SolverError(problems.strip())
+    tools.write_inp_file()
+    if not tools.inp_file_name:
+        raise SolverError("FEM could not write CalculiX's input file; see the report view")
+    require_loads(tools.inp_file_name)
+    code = tools.ccx_run()
+    if code != 0:
+        raise SolverError(f"CalculiX ended with code {code}: {str(tools.ccx_stdout)[-2000:]}")
+    tools.load_results()
+    results = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemResultObject")]
+    if not results:
+        raise SolverError("CalculiX gave no results")
+    return results[0]
+
+
+def require_loads(path: str) -> None:
+    """Raises SolverError when a *CLOAD or *DLOAD of an input file has no line: FEM writes it empty,
+    without a word, when it finds no face of the mesh on the picked one."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = [line.strip() for line in file]
+    content = [line for line in lines if line and not line.startswith("**")]
+    for number, line in enumerate(content):
+        if line.upper().startswith(("*CLOAD", "*DLOAD")):
+            following = content[number + 1] if number + 1 < len(content) else "*"
+            if following.startswith("*"):
+                raise SolverError(
+                    f"{path}: {line} is empty: no face of the mesh lies on the loaded CAD face"
+                )

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surfaces: .off and .stl by the kernel; .ply, .mesh (Medit), .obj by meshio."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, List, Optional
+
+import numpy as np
+
+from . import _kernel
+from .errors import FormatError
+from .mesh import CELL_TYPES, Mesh
+from .plc import PLC
+from .tetgen_files import as_plc
+
+#: Extensions that plc_of_file reads.
+SURFACES = ("off", "stl", "ply", "mesh", "obj", "vtk")
+
+
+def plc_of_file(path: str) -> PLC:
+    """The faces of a surface's file as facets, in the file's order and with the file's own points.
+
+    An STL's triangles keep three points each: TetGen merges them as its own program does.
+    Raises FormatError, FileNotFoundError.
+    """
+    extension = os.path.splitext(path)[1].lower().lstrip(".")
+    if extension == "off":
+        return PLC.of_arrays(_kernel.core().read_off(path))
+    if extension == "stl":
+        return PLC.of_arrays(_kernel.core().read_stl(path))
+    raw = _meshio(path)
+    faces = [np.asarray(b.data) for b in raw.cells if b.type in ("triangle", "quad", "polygon")]
+    if not faces:
+        raise FormatError(
+            f"{path}: expected a surface, found no triangles, quads or polygons", path
+        )
+    sizes = np.concatenate([np.full(len(f), f.shape[1], np.int64) for f in faces])
+    markers = _medit_markers(raw)
+    arrays = {
+        "points": _three(raw.points),
+        "polygon_nodes": np.concatenate([f.reshape(-1) for f in faces]).astype(np.int32),
+        "polygon_offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
+        "facet_offsets": np.arange(len(sizes) + 1, dtype=np.int64),
+        "markers": markers if markers is not None and len(markers) == len(sizes) else None,
+    }
+    return PLC.of_arrays(arrays)
+
+
+def _medit_markers(raw: Any) -> Optional[np.ndarray]:
+    parts: List[np.ndarray] = []
+    for block, data in zip(raw.cells, raw.cell_data.get("medit:ref", [])):
+        if block.type in ("triangle", "quad"):
+            parts.append(np.asarray(data))
+    return np.concatenate(parts).astype(np.int32) if parts else None
+
+
+def _three(points: np.ndarray) -> np.ndarray:
+    full = np.zeros((len(points), 3))
+    full[:, : points.shape[1]] = points
+    return full
+
+
+def _meshio(path: str) -> Any:
+    import meshio
+
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"no such file: {path}")
+    try:
+        return meshio.read(path)
+    except (Exception, SystemExit) as error:  # meshio raises what its readers happen to raise
+        raise FormatError(f"{path}: {error or 'not readable'}", path) from error
+
+
+def _mesh_of_plc(plc: PLC) -> Any:
+    """Triangles and quads as a Mesh; with other facets the PLC itself."""
+    sizes = np.diff(plc.polygon_offsets)
+    if len(sizes) != len(plc) or not np.isin(sizes, (3, 4)).all():
+        return plc
+    starts = plc.polygon_offsets[:-1]
+    cells = {}
+    for size, kind in ((3, "triangle"), (4, "quad")):
+        rows = starts[sizes == size]
+        if len(rows):
+            cells[kind] = plc.polygon_nodes[rows[:, None] + np.arange(size)]
+    return Mesh(plc.points, cells)
+
+
+def read_off(path: str) -> Any:
+    """A surface Mesh; a PLC where faces have more than four nodes."""
+    return _mesh_of_plc(plc_of_file(path))
+
+
+def read_stl(path: str) -> Mesh:
+    """A surface Mesh; equal points become one."""
+    plc = plc_of_file(path)
+    points, first, place = np.unique(plc.points, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(first)  # points in the order of the file
+    rank = np.empty(len(order), np.int32)
+    rank[order] = np.arange(len(order), dtype=np.int32)
+    triangles = rank[place.reshape(-1)][plc.polygon_nodes].reshape(-1, 3)
+    return Mesh(points[order], {"triangle": triangles})
+
+
+def read_mesh(path: str) -> Mesh:
+    """Whatever cells the file has; .mesh: a group a reference number."""
+    raw = _meshio(path)
+    cells: dict = {}
+    for block in raw.cells:
+        if block.type in CELL_TYPES:
+            cells.setdefault(block.type, []).append(np.asarray(block.data))
+    mesh = Mesh(_three(raw.points), {k: np.concatenate(v) for k, v in cells.items()})
+    numbers: dict = {}
+    for block, data in zip(raw.cells, raw.cell_data.get("medit:ref", [])):
+        numbers.setdefault(block.type, []).append(np.asarray(data))
+    for kind, parts in numbers.items():
+        prefix = {1: "Edge", 2: "Facet", 3: "Region"}[CELL_TYPES[kind][1]]
+        values = np.concatenate(parts)
+        for value in np.unique(values[values != 0]).tolist():
+            mesh.groups[f"{prefix}{value}"] = (
+                kind,
+                np.flatnonzero(values == value).astype(np.int32),
+            )
+    return mesh
+
+
+def write_off(path: str, source: Any) -> None:
+    """A PLC of plain polygons, or the faces of a Mesh."""
+    _kernel.core().write_off(path, as_plc(source))
+
+
+def write_stl(path: str, source: Any, binary: bool = True) -> None:
+    """Triangles; binary=False writes text, which holds double precision."""
+    _kernel.core().write_stl(path, as_plc(source), binary)

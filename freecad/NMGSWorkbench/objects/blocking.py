@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What Patches and Blocks share: a BlockModel in properties, fitted to CAD or given."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Optional, Sequence
+
+import FreeCAD
+import numpy as np
+
+from .. import nmgs
+from . import gradings, sources
+from .base import DocumentObject
+from .block_edges import edges_shape
+from .run import run
+
+PROPERTIES = (
+    (
+        "App::PropertyLinkSubList",
+        "Source",
+        "Geometry",
+        "Faces or solids that the elements are fitted to; empty for elements given by their nodes",
+        None,
+        0,
+    ),
+    ("App::PropertyString", "File", "Geometry", "File that the elements were read from", None, 1),
+    (
+        "App::PropertyLength",
+        "Size",
+        "Fit",
+        "Length of the mesh's elements that the divisions follow; 0 chooses one",
+        None,
+        0,
+    ),
+    (
+        "App::PropertyLength",
+        "Tolerance",
+        "Fit",
+        "Largest distance from the CAD surface that the fit accepts; 0 chooses one",
+        None,
+        0,
+    ),
+    ("App::PropertyString", "Method", "Fit", "How solids are cut into blocks", "auto", 0),
+    (
+        "App::PropertyBool",
+        "AutoDivisions",
+        "Fit",
+        "Divisions follow Size; switch off to set Divisions by hand",
+        True,
+        0,
+    ),
+    (
+        "App::PropertyVectorList",
+        "Nodes",
+        "Elements",
+        "Nodes of all elements, one element after the other, corners first",
+        None,
+        1,
+    ),
+    (
+        "App::PropertyIntegerList",
+        "Divisions",
+        "Elements",
+        "Number of elements along xi, eta (, zeta), one element after the other",
+        None,
+        0,
+    ),
+    (
+        "App::PropertyStringList",
+        "Grading",
+        "Elements",
+        "Spacing of each element's directions; empty where all are uniform",
+        None,
+        1,
+    ),
+    ("App::PropertyString", "Reference", "Elements", "The user's reference text", None, 0),
+    ("App::PropertyInteger", "ElementCount", "Elements", "Number of elements", None, 1),
+    (
+        "App::PropertyStringList",
+        "Report",
+        "Fit",
+        "What the fit found out about each face or solid",
+        None,
+        1,
+    ),
+)
+
+
+class Blocking(DocumentObject):
+    """Base of Patches and Blocks; a subclass sets nodes_per_element, 8 or 20."""
+
+    properties = PROPERTIES
+    nodes_per_element = 0
+    text = "Fitting"
+    _model: Optional[nmgs.BlockModel] = None
+    #: What the last fit started from, to find the document's names of what it says.
+    _picked: Optional[sources.Picked] = None
+    #: nmgs.fit's report of this session's last fit.
+    report: Sequence[Dict[str, Any]] = ()
+
+    def compute(self, obj: Any) -> None:
+        model = self._fitted(obj) if obj.Source else self._given(obj)
+        obj.Shape = edges_shape(model.nodes)
+        if obj.Source:
+            obj.Nodes = [FreeCAD.Vector(*node) for node in model.nodes.reshape(-1, 3)]
+            obj.Divisions = [int(n) for n in model.divisions.ravel()]
+            obj.Report = [self._line(entry) for entry in model.report]
+        obj.ElementCount = len(model)
+        self.report = model.report
+        self._model = model
+
+    def _given(self, obj: Any) -> nmgs.BlockModel:
+        count, left = divmod(len(obj.Nodes), self.nodes_per_element)
+        if left or not count:
+            raise ValueError(
+                f"Nodes: expected a multiple of {self.nodes_per_element}, got {len(obj.Nodes)}"
+            )
+        nodes = np.array([tuple(node) for node in obj.Nodes], dtype=np.float64)
+        nodes = nodes.reshape(count, self.nodes_per_element, 3)
+        model = nmgs.BlockModel(nodes, self._divisions(obj, count), obj.Reference)
+        gradings.put(model, obj.Grading)
+        return model
+
+    def _divisions(self, obj: Any, count: int) -> np.ndarray:
+        directions = 2 if self.nodes_per_element == 8 else 3
+        if len(obj.Divisions) != count * directions:
+            raise ValueError(
+                f"Divisions: expected {directions} numbers for each of {count} elements, "
+                f"got {len(obj.Divisions)}"
+            )
+        return np.array(obj.Divisions, dtype=np.int64).reshape(count, directions)
+
+    def _fitted(self, obj: Any) -> nmgs.BlockModel:
+        picked = sources.gather(obj.Source)
+        self._picked = picked
+        model = run(
+            lambda progress: nmgs.fit(
+                picked.shape,
+                size=obj.Size.Value or None,
+                tolerance=obj.Tolerance.Value or None,
+                method=obj.Method or "auto",
+                progress=progress,
+                entities=picked.names,
+            ),
+            self.text,
+        )
+        if model.nodes.shape[1] != self.nodes_per_element:
+            raise nmgs.GeometryError(
+                f"{obj.Label}: expected elements of {self.nodes_per_element} nodes, "
+                f"the picked geometry gives elements of {model.nodes.shape[1]}"
+            )
+        if not obj.AutoDivisions:
+            wanted = self._divisions(obj, len(model))
+            if (wanted != model.divisions).any():
+                model.divisions = model._checked_divisions(wanted)
+        if not obj.AutoDivisions:
+            gradings.put(model, obj.Grading)
+        model.reference = model._checked_reference(obj.Reference)
+        return model
+
+    def model(self, obj: Any) -> nmgs.BlockModel:
+        """The elements as they are now; fits again when only the document's properties are left."""
+        if self._model is None:
+            self._model = self._fitted(obj) if obj.Source else self._given(obj)
+        return self._model
+
+    def culprits(self, names: Sequence[str]) -> List[sources.Entity]:
+        """The document's elements that the fit names, e.g. in an error."""
+        owners = [self._picked.owner(name) for name in names] if self._picked else []
+        return [owner for owner in owners if owner is not None]
+
+    def _line(self, entry: Dict[str, Any]) -> str:
+        owner = self.culprits([entry["entity"]])
+        who = f"{owner[0][0].Label}.{owner[0][1]}" if owner else entry["entity"]
+        if entry["method"]:
+            return f"{who}: {entry['method']}, at most {entry['error']:.3g} off the CAD"
+        return f"{who}: left out, {entry['reason']}"
+
+    def onChanged(self, obj: Any, prop: str) -> None:
+        if prop in (
+            "Source",
+            "Nodes",
+            "Divisions",
+            "Grading",
+            "Reference",
+            "Size",
+            "Tolerance",
+            "Method",
+        ):
+            self._model = None
+
+
+def fill(obj: Any, model: nmgs.BlockModel, path: str = "") -> None:
+    """Puts a model that was read or typed into obj's properties."""
+    obj.Nodes = [FreeCAD.Vector(*node) for node in model.nodes.reshape(-1, 3)]
+    obj.Divisions = [int(n) for n in model.divisions.ravel()]
+    obj.Grading = gradings.lines(model)
+    obj.Reference = model.reference
+    obj.File = path
+    obj.AutoDivisions = False

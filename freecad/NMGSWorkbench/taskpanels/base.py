@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all panels of document objects share: OK is one undo step, Cancel leaves no trace."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+from PySide import QtGui
+
+from ..nmgs.errors import Cancelled
+from ..resources import icon, ui
+from . import messages
+
+
+def button_flags(buttons: Any) -> int:
+    """Qt's buttons as the number that FreeCAD asks for, in PySide2 and PySide6."""
+    return buttons.value if hasattr(buttons, "value") else int(buttons)
+
+
+class Panel:
+    """Base. A subclass sets the names and writes fill(), which shows the properties, and store(),
+    which writes the widgets into them."""
+
+    ui_name = ""
+    icon_name = ""
+
+    def __init__(self, obj: Any):
+        self.obj = obj
+        self.form = FreeCADGui.PySideUic.loadUi(ui(self.ui_name))
+        self.form.setWindowTitle(obj.Label)
+        self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
+        self._open = False
+        self._was_touched = "Touched" in obj.State
+        self.fill()
+
+    def fill(self) -> None:
+        raise NotImplementedError
+
+    def store(self) -> None:
+        raise NotImplementedError
+
+    def getStandardButtons(self) -> int:
+        box = QtGui.QDialogButtonBox
+        return button_flags(box.Ok | box.Apply | box.Cancel)
+
+    def clicked(self, button: int) -> None:
+        if button_flags(button) == button_flags(QtGui.QDialogButtonBox.Apply):
+            self.apply()
+
+    def apply(self) -> bool:
+        """Widgets into properties and a recompute; False, with a message, when that fails."""
+        document = self.obj.Document
+        if not self._open:
+            document.openTransaction(f"Edit {self.obj.Label}")
+            self._open = True
+        try:
+            self.store()
+            document.recompute([self.obj])
+            if self.obj.Proxy.failure is not None:
+                raise self.obj.Proxy.failure
+        except Cancelled:
+            return False
+        except Exception as error:
+            messages.show_error(self.obj.Label, error)
+            return False
+        # What depends on it follows at once; its own errors are marked in the tree.
+        document.recompute()
+        self.fill()
+        return True
+
+    def accept(self) -> bool:
+        if not self.apply():
+            return False
+        self.obj.Document.commitTransaction()
+        self._close()
+        return True
+
+    def reject(self) -> bool:
+        if self._open:
+            self.obj.Document.abortTransaction()
+            if not self._was_touched:
+                self.obj.purgeTouched()
+        self._close()
+        return True
+
+    def _close(self) -> None:
+        FreeCADGui.getDocument(self.obj.Document).resetEdit()

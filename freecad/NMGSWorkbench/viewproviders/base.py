@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all view providers share: icon, double click to the panel, nothing pickled."""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any, List, Tuple
+
+import FreeCAD
+import FreeCADGui
+
+from ..resources import icon
+from ..taskpanels import progress
+
+# A document that is opened before the workbench is chosen recomputes behind the dialog, too.
+progress.install()
+
+
+class ViewProvider:
+    """Base. A subclass sets `icon_name`, and `panel` (module, class in taskpanels) or none."""
+
+    icon_name = ""
+    panel: Tuple[str, str] = ("", "")
+
+    def __init__(self, vobj: Any):
+        vobj.Proxy = self
+        self.dress(vobj)
+
+    def dress(self, vobj: Any) -> None:
+        """Colours and widths of a new object; documents keep what the user sets later."""
+
+    def attach(self, vobj: Any) -> None:
+        self.Object = vobj.Object
+
+    def getIcon(self) -> str:
+        return icon(self.icon_name)
+
+    def claimChildren(self) -> List[Any]:
+        return []
+
+    def doubleClicked(self, vobj: Any) -> bool:
+        if not self.panel[0]:
+            return False
+        if FreeCADGui.Control.activeDialog():
+            FreeCAD.Console.PrintWarning("NMGS: close the open task panel first.\n")
+            return True
+        FreeCADGui.getDocument(vobj.Object.Document).setEdit(vobj.Object.Name)
+        return True
+
+    def setEdit(self, vobj: Any, mode: int = 0) -> Any:
+        if mode != 0 or not self.panel[0]:
+            return None
+        package = __package__.rpartition(".")[0]
+        module = importlib.import_module(f"{package}.taskpanels.{self.panel[0]}")
+        FreeCADGui.Control.showDialog(getattr(module, self.panel[1])(vobj.Object))
+        return True
+
+    def unsetEdit(self, vobj: Any, mode: int = 0) -> Any:
+        if mode != 0:
+            return None
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    # FreeCAD asks for these up to 0.21 and for dumps and loads from 0.21 on.
+    def __getstate__(self) -> None:
+        return None
+
+    def __setstate__(self, state: Any) -> None:
+        return None
+
+    def dumps(self) -> None:
+        return None
+
+    def loads(self, state: Any) -> None:
+        return None

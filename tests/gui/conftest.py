@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every test gets a window with the NMGS workbench and an empty document."""
+
+import os
+import pathlib
+import time
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+
+
+def process_events(milliseconds: int = 0) -> None:
+    """Lets Qt handle what is waiting, for at least that long."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec_()
+
+
+def wait_until(condition, seconds: float = 10.0) -> None:
+    """Handles events until the condition holds: the tree, for one, follows with a delay."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        process_events(20)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def workbench():
+    FreeCADGui.activateWorkbench("NMGSWorkbench")
+    # A first start's side bar is narrower than the buttons of a panel.
+    window = FreeCADGui.getMainWindow()
+    docks = window.findChildren(QtGui.QDockWidget, "Combo View")
+    window.resizeDocks(docks, [400] * len(docks), QtCore.Qt.Horizontal)
+    process_events()
+
+
+@pytest.fixture
+def document():
+    """A new document; all documents, panels and messages are gone after the test."""
+    made = FreeCAD.newDocument("Test")
+    yield made
+    FreeCADGui.Selection.clearSelection()
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
+    for box in message_boxes():
+        box.close()
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
+    process_events()
+
+
+def message_boxes():
+    """The workbench's messages that are on the screen."""
+    return [
+        widget
+        for widget in QtGui.QApplication.topLevelWidgets()
+        if widget.objectName() == "NMGS_Message" and widget.isVisible()
+    ]
+
+
+def tree_labels():
+    """Labels of all entries of the model tree that the user sees."""
+    labels = []
+    for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget):
+        walker = QtGui.QTreeWidgetItemIterator(tree)
+        while walker.value():
+            labels.append(walker.value().text(0))
+            walker += 1
+    return labels
+
+
+def pick(obj, *names):
+    """Picks sub-elements of an object, or the whole object, as clicks with Ctrl do."""
+    FreeCADGui.Selection.clearSelection()
+    for name in names or ("",):
+        FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, name)
+
+
+def run(command: str) -> None:
+    """What a click on the toolbar does."""
+    FreeCADGui.runCommand(command)
+    process_events()
+
+
+def content(obj):
+    """The FEM mesh of an object as plain values, to compare node for node."""
+    mesh = obj.FemMesh
+    nodes = {number: tuple(place) for number, place in mesh.Nodes.items()}
+    elements = {n: mesh.getElementNodes(n) for n in (*mesh.Volumes, *mesh.Faces, *mesh.Edges)}
+    groups = {
+        (mesh.getGroupName(g), mesh.getGroupElementType(g)): tuple(sorted(mesh.getGroupElements(g)))
+        for g in mesh.Groups
+    }
+    return nodes, elements, groups
+
+
+def screenshot(name: str) -> None:
+    """The whole window into the folder for pictures, if there is one."""
+    folder = os.environ.get("NMGS_SCREENSHOTS")
+    if folder:
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+        process_events(300)
+        # The screen, not the widget: only the screen has the 3D view.
+        picture = QtGui.QApplication.primaryScreen().grabWindow(0)
+        assert picture.save(str(pathlib.Path(folder) / f"{name}.png"))
+
+
+@pytest.fixture
+def box(document):
+    """A box of 10 x 20 x 30 as a document object."""
+    part = document.addObject("Part::Box", "Box")
+    part.Length, part.Width, part.Height = 10, 20, 30
+    document.recompute()
+    FreeCADGui.activeDocument().activeView().viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    return part

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The main job by the toolbar: pick as a click does, run the commands, find the results."""
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import pytest
+from conftest import (
+    content,
+    message_boxes,
+    pick,
+    process_events,
+    run,
+    screenshot,
+    tree_labels,
+    wait_until,
+)
+
+
+def names(document):
+    return [obj.Name for obj in document.Objects]
+
+
+def test_face_to_patches_to_quads(document, box):
+    pick(box, "Face1")
+    run("NMGS_FitPatches")
+    made = document.getObject("Patches")
+    assert made.ElementCount == 1 and len(made.Nodes) == 8
+    # Face1 of a box is its side x = 0.
+    nodes = np.array([tuple(node) for node in made.Nodes])
+    assert np.allclose(np.ptp(nodes, axis=0), [0, 20, 30]) and np.allclose(nodes[:, 0], 0)
+    assert "Patches" in tree_labels()
+    # The result is picked: the next command goes on with it.
+    assert FreeCADGui.Selection.getSelection() == [made]
+    screenshot("patches")
+    run("NMGS_GenerateMesh")
+    mesh = document.getObject("StructuredMesh")
+    assert mesh.ElementCount == made.Divisions[0] * made.Divisions[1]
+    assert mesh.FemMesh.QuadrangleCount == mesh.ElementCount
+    assert "StructuredMesh" in tree_labels()
+    screenshot("patches_mesh")
+
+
+def test_solid_to_blocks_to_hexahedra_saved_and_reopened(document, box, tmp_path):
+    box.Placement = FreeCAD.Placement(
+        FreeCAD.Vector(1 / 3, 0.1, -7), FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 40)
+    )
+    document.recompute()
+    pick(box, "Solid1")
+    run("NMGS_FitBlocks")
+    made = document.getObject("Blocks")
+    assert made.ElementCount == 1 and len(made.Nodes) == 20
+    assert len(made.Shape.Edges) == 12
+    screenshot("blocks")
+    run("NMGS_GenerateMesh")
+    mesh = document.getObject("StructuredMesh")
+    assert mesh.ElementCount == np.prod(made.Divisions) == mesh.FemMesh.HexaCount
+    assert mesh.ViewObject.Visibility and not box.Visibility
+    assert {"Box", "Blocks", "StructuredMesh"} <= set(tree_labels())
+    screenshot("hexahedra")
+    before = content(mesh)
+
+    path = str(tmp_path / "kept.FCStd")
+    document.saveAs(path)
+    FreeCAD.closeDocument(document.Name)
+    process_events()
+    assert "StructuredMesh" not in tree_labels()
+    again = FreeCAD.openDocument(path)
+    process_events()
+    assert {"Box", "Blocks", "StructuredMesh"} <= set(tree_labels())
+    mesh = again.getObject("StructuredMesh")
+    assert content(mesh) == before
+    assert mesh.ViewObject.Proxy is not None and mesh.ViewObject.Visibility
+    mesh.Blocks.touch()
+    again.recompute()
+    nodes, elements, groups = content(mesh)
+    assert (elements, groups) == before[1:]
+    # FreeCAD writes the part's placement with 16 digits, so its shape comes back a last bit off.
+    assert list(nodes) == list(before[0])
+    assert np.allclose(list(nodes.values()), list(before[0].values()), rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("how", ["whole object", "face"])
+def test_a_solid_picked_otherwise(document, box, how):
+    pick(box, "Face3" if how == "face" else "")
+    run("NMGS_FitBlocks")
+    assert document.getObject("Blocks").Source == [(box, ("Solid1",))]
+
+
+def test_all_faces_of_an_object(document, box):
+    pick(box)
+    run("NMGS_FitPatches")
+    assert document.getObject("Patches").ElementCount == 6
+
+
+def test_undo_takes_back_each_command(document, box):
+    steps = [names(document)]
+    pick(box, "Solid1")
+    run("NMGS_FitBlocks")
+    steps.append(names(document))
+    run("NMGS_GenerateMesh")
+    steps.append(names(document))
+    assert document.UndoNames[:2] == ["Generate mesh", "Fit blocks to solids"]
+    mesh = content(document.getObject("StructuredMesh"))
+    assert not box.Visibility
+
+    document.undo()
+    assert names(document) == steps[1]
+    document.undo()
+    assert names(document) == steps[0] and box.Visibility
+    document.redo()
+    document.redo()
+    assert names(document) == steps[2]
+    assert content(document.getObject("StructuredMesh")) == mesh
+    wait_until(lambda: "StructuredMesh" in tree_labels())
+
+
+def test_what_cannot_be_done_is_grey(document, box):
+    def active():
+        return {
+            name
+            for name in FreeCADGui.listCommands()
+            if name.startswith("NMGS_") and FreeCADGui.Command.get(name).isActive()
+        }
+
+    FreeCADGui.Selection.clearSelection()
+    assert active() == set()
+    pick(box, "Edge1")
+    assert active() == set()
+    pick(box, "Face1")
+    assert active() == {"NMGS_FitPatches", "NMGS_FitBlocks", "NMGS_TetGenMesh"}
+    run("NMGS_FitPatches")
+    # Patches alone have no CAD faces of their own.
+    assert active() == {"NMGS_GenerateMesh", "NMGS_TetGenMesh", "NMGS_Export"}
+    run("NMGS_GenerateMesh")
+    assert active() == {"NMGS_TetGenMesh", "NMGS_MeshReport", "NMGS_Export"}
+    sheet = document.addObject("Part::Plane", "Sheet")
+    document.recompute()
+    pick(sheet)
+    assert active() == {"NMGS_FitPatches"}
+
+
+def test_an_error_is_words_and_the_culprit_is_picked(document):
+    ball = document.addObject("Part::Sphere", "Ball")
+    document.recompute()
+    pick(ball, "Solid1")
+    run("NMGS_FitBlocks")
+    (box,) = message_boxes()
+    assert "Solid1" in box.text() and "Traceback" not in box.text()
+    assert names(document) == ["Ball"]
+    assert document.UndoCount == 0 or document.UndoNames[0] != "Fit blocks to solids"
+    (picked,) = FreeCADGui.Selection.getSelectionEx()
+    assert picked.Object == ball and picked.SubElementNames == ("Solid1",)
+    screenshot("error")
+
+
+def test_what_is_left_out_is_said(document, box):
+    ball = document.addObject("Part::Sphere", "Ball")
+    document.recompute()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(box)
+    FreeCADGui.Selection.addSelection(ball)
+    run("NMGS_FitBlocks")
+    made = document.getObject("Blocks")
+    assert made.ElementCount == 1
+    (message,) = message_boxes()
+    assert "1 of 2" in message.text()
+    assert "Ball.Solid1" in message.detailedText()
+
+
+def test_blocks_stay_under_their_mesh(document, box):
+    pick(box, "Solid1")
+    run("NMGS_FitBlocks")
+    run("NMGS_GenerateMesh")
+    mesh = document.getObject("StructuredMesh")
+    assert mesh.ViewObject.claimChildren() == [document.getObject("Blocks")]
+    for obj in (mesh, document.getObject("Blocks")):
+        assert not obj.ViewObject.Icon.isNull()
