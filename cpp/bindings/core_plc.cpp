@@ -8,6 +8,10 @@
 #include "nmgs/formats/tetgen_cells.h"
 #include "nmgs/formats/tetgen_node.h"
 #include "nmgs/formats/tetgen_poly.h"
+#include "nmgs/plc/check.h"
+#include "nmgs/plc/mend.h"
+
+#include <pybind11/stl.h>
 
 namespace nmgs::bindings {
 namespace {
@@ -106,6 +110,35 @@ void save_gid(const std::string &path, const DoubleArray &points, const IntArray
     write_gid(path, mesh);
 }
 
+CheckOptions options_of(const py::object &tolerance, double planarity, std::size_t limit,
+                        bool equal_points) {
+    return {tolerance.is_none() ? -1.0 : tolerance.cast<double>(), planarity, limit, equal_points};
+}
+
+py::list problems_of(const py::object &source, const py::object &tolerance, double planarity,
+                     std::size_t limit, bool equal_points, const py::object &progress) {
+    const Plc plc = plc_of(source);
+    const CheckOptions options = options_of(tolerance, planarity, limit, equal_points);
+    const Progress listener = progress_of(progress);
+    const auto problems = without_gil([&] { return check(plc, options, listener); });
+    py::list list;
+    for (const PlcProblem &problem : problems) {
+        const Vec3 p = problem.place;
+        list.append(py::make_tuple(std::string(name(problem.fault)), problem.facets, problem.points,
+                                   py::make_tuple(p.x, p.y, p.z), problem.amount));
+    }
+    return list;
+}
+
+py::tuple mended_of(const py::object &source, const py::object &tolerance,
+                    const py::object &progress) {
+    const Plc plc = plc_of(source);
+    const CheckOptions options = options_of(tolerance, 1e-6, 1000, false);
+    const Progress listener = progress_of(progress);
+    Mended mended = without_gil([&] { return mend(plc, options, listener); });
+    return py::make_tuple(give_plc(std::move(mended.plc)), mended.facet_of, mended.done);
+}
+
 } // namespace
 
 void bind_plc(py::module_ &module) {
@@ -158,6 +191,13 @@ void bind_plc(py::module_ &module) {
     module.def("write_cells", &save_cells, path, py::arg("list"), py::arg("nodes"),
                py::arg("attributes") = py::none(), py::arg("markers") = py::none(),
                py::arg("first") = 1, "Rows of an .ele, .face, .edge or .neigh.");
+    module.def("check_plc", &problems_of, source, py::arg("tolerance") = py::none(),
+               py::arg("planarity") = 1e-6, py::arg("limit") = 1000,
+               py::arg("equal_points") = false, py::arg("progress") = py::none(),
+               "Problems of a PLC: [(fault, facets, points, place, amount)].");
+    module.def("mend_plc", &mended_of, source, py::arg("tolerance") = py::none(),
+               py::arg("progress") = py::none(),
+               "(arrays of the mended PLC, old facet of each new one, what was done).");
     module.def("read_gid", &gid_file, path, "(points (N, 3), nodes (M, k)) of a GiD file.");
     module.def("write_gid", &save_gid, path, py::arg("points"), py::arg("nodes"),
                "Triangles or tetrahedra as GiD file.");

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
-from . import grading
+from . import grading, shapes
 from .block_model import BlockModel
 from .cad import fit
 from .errors import (
@@ -17,6 +17,7 @@ from .fem import to_fem
 from .io import read, write
 from .mesh import Mesh
 from .plc import PLC
+from .plc_problem import PLCProblem
 from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
@@ -29,6 +30,7 @@ __all__ = [
     "KernelMissing",
     "Mesh",
     "PLC",
+    "PLCProblem",
     "TetGenError",
     "TetOptions",
     "fit",
@@ -36,5 +38,6 @@ __all__ = [
     "read",
     "to_fem",
     "tetrahedralize",
+    "shapes",
     "write",
 ]

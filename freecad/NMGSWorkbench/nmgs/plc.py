@@ -9,9 +9,12 @@ polygon_nodes[polygon_offsets[p]:polygon_offsets[p + 1]].
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
+
+from . import _kernel
+from .plc_problem import PLCProblem, problems_of
 
 Facets = Any  # (F, k) array; or per facet a polygon, or a list of polygons
 
@@ -143,6 +146,8 @@ class PLC:
         self.region_groups: Dict[str, List[float]] = {
             k: list(v) for k, v in (region_groups or {}).items()
         }
+        #: What mend() did, in words.
+        self.notes: List[str] = []
 
     @classmethod
     def of_arrays(cls, arrays: Mapping[str, Any]) -> "PLC":
@@ -170,6 +175,74 @@ class PLC:
             f"<nmgs.PLC: {len(self.points)} points, {len(self)} facets, "
             f"{len(self.holes)} holes, {len(self.regions)} regions>"
         )
+
+    def check(
+        self,
+        tolerance: Optional[float] = None,
+        planarity: float = 1e-6,
+        limit: int = 1000,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> List[PLCProblem]:
+        """What is wrong before meshing: which facets and points, and where.
+
+        tolerance: points nearer than this are one, and lie in a plane; None for 1e-8 of the
+        diagonal, as TetGen. planarity: share of its size that a facet may be off its plane. limit:
+        most problems of a kind. Decisions beyond the tolerance are exact. An empty list: TetGen
+        has no reason to fail. Raises Cancelled, ValueError.
+        """
+        self._check_tolerance(tolerance)
+        rows = _kernel.core().check_plc(self, tolerance, planarity, limit, False, progress)
+        return problems_of(rows)
+
+    def mend(
+        self,
+        tolerance: Optional[float] = None,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> "PLC":
+        """A new PLC without what can be mended safely; its notes say what was done.
+
+        Merges duplicate points, removes facets without area and duplicate facets, and turns facets
+        so that surfaces are oriented, outwards where they close. Geometry does not change.
+        Facet and segment constraints and further edges are kept. Raises Cancelled, ValueError.
+        """
+        self._check_tolerance(tolerance)
+        arrays, old, notes = _kernel.core().mend_plc(self, tolerance, progress)
+        plc = PLC.of_arrays(arrays)
+        plc.groups = {name: list(markers) for name, markers in self.groups.items()}
+        plc.region_groups = {name: list(a) for name, a in self.region_groups.items()}
+        plc.facet_constraints = self.facet_constraints.copy()
+        self._carry_points(plc)
+        plc.notes = notes
+        #: facet of the old PLC for each facet of this one
+        plc.old_facets = np.array(old, np.int32)
+        return plc
+
+    def _carry_points(self, plc: "PLC") -> None:
+        """What belongs to nodes goes to where the same places are in the mended PLC."""
+        if self.edges is None and not len(self.segment_constraints) and self.point_sizes is None:
+            return
+        place = {tuple(p): i for i, p in reversed(list(enumerate(plc.points.tolist())))}
+        new = np.array([place.get(tuple(p), -1) for p in self.points.tolist()], np.int32)
+        if self.point_sizes is not None:
+            kept = np.flatnonzero(new >= 0)
+            sizes = np.zeros((len(plc.points), self.point_sizes.shape[1]))
+            sizes[new[kept]] = self.point_sizes[kept]
+            plc.point_sizes = sizes
+        if self.edges is not None:
+            edges = new[self.edges]
+            keep = (edges >= 0).all(axis=1) & (edges[:, 0] != edges[:, 1])
+            plc.edges = np.ascontiguousarray(edges[keep])
+            if self.edge_markers is not None:
+                plc.edge_markers = np.ascontiguousarray(self.edge_markers[keep])
+        if len(self.segment_constraints):
+            table = self.segment_constraints.copy()
+            table[:, :2] = new[table[:, :2].astype(np.int64)]
+            plc.segment_constraints = table[(table[:, :2] >= 0).all(axis=1)]
+
+    @staticmethod
+    def _check_tolerance(tolerance: Optional[float]) -> None:
+        if tolerance is not None and not 0 <= tolerance < float("inf"):
+            raise ValueError(f"tolerance: expected 0 or more, got {tolerance!r}")
 
     def facet(self, number: int) -> List[np.ndarray]:
         """The polygons of one facet, each as its nodes."""

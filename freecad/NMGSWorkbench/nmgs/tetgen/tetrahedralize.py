@@ -60,11 +60,11 @@ def tetrahedralize(
     arrays["switches"] = np.frombuffer(str(options).encode("ascii"), np.uint8)
     outcome = worker.run(arrays, timeout, progress, log, memory_limit)
     if not outcome.whole:
-        raise error_of(outcome, thing, timeout)
+        raise error_of(outcome, thing, timeout, progress)
     data = TetGenData(outcome.version, str(options), outcome.log)
     mesh = mesh_of(outcome.arrays, thing, data)
     if not (options.diagnose or options.no_tetrahedra or cells_of(mesh, "tetra", "tetra10")):
-        raise no_tetrahedra(thing, data)
+        raise no_tetrahedra(thing, data, progress)
     return mesh
 
 
