@@ -2,7 +2,7 @@
 // A shape's faces as triangles that fit together: the piecewise linear complex for TetGen.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 #include "nmgs_cad/cad_shape.h"
 
 #include <array>
