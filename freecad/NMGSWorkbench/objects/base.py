@@ -60,9 +60,10 @@ class DocumentObject:
 
     def onDocumentRestored(self, obj: Any) -> None:
         add_properties(obj, (_SCHEMA, *self.properties))
-        # A document saved without a window has no view provider, and stays invisible without one.
+        # A document saved without a window has no view provider and all of its objects hidden.
         if FreeCAD.GuiUp and obj.ViewObject is not None and obj.ViewObject.Proxy is None:
             self._attach_view(obj)
+            obj.ViewObject.Visibility = True
 
     def execute(self, obj: Any) -> None:
         self.failure = None
