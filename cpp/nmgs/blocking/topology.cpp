@@ -3,7 +3,7 @@
 
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
-#include "nmgs/support/point_hash.h"
+#include "nmgs/mesh/point_hash.h"
 
 #include <algorithm>
 #include <cmath>

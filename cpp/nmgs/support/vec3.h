@@ -1,5 +1,76 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Vec3 is in support/, where all rooms may use it; this is its old place.
+// A point or vector of three doubles, laid out as a row of a float64 (N, 3) array.
 #pragma once
 
-#include "nmgs/support/vec3.h" // IWYU pragma: export
+#include <cmath>
+#include <limits>
+
+namespace nmgs {
+
+struct Vec3 {
+    double x, y, z;
+};
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+
+constexpr Vec3 operator+(Vec3 a, Vec3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vec3 operator-(Vec3 a, Vec3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vec3 operator*(double s, Vec3 a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+constexpr Vec3 operator*(Vec3 a, double s) {
+    return s * a;
+}
+constexpr Vec3 &operator+=(Vec3 &a, Vec3 b) {
+    return a = a + b;
+}
+constexpr bool operator==(Vec3 a, Vec3 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+constexpr double dot(Vec3 a, Vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Vec3 cross(Vec3 a, Vec3 b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+constexpr double determinant(Vec3 a, Vec3 b, Vec3 c) {
+    return dot(a, cross(b, c));
+}
+constexpr double norm2(Vec3 a) {
+    return dot(a, a);
+}
+inline double norm(Vec3 a) {
+    return std::sqrt(norm2(a));
+}
+inline double distance(Vec3 a, Vec3 b) {
+    return norm(a - b);
+}
+inline bool is_finite(Vec3 a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+// Axis-aligned box; empty until the first point is added.
+struct Box {
+    Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+             std::numeric_limits<double>::infinity()};
+    Vec3 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+              -std::numeric_limits<double>::infinity()};
+
+    void add(Vec3 p) {
+        low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
+        high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+    }
+    [[nodiscard]] double diagonal() const { return low.x > high.x ? 0.0 : distance(low, high); }
+    // True when the boxes come within gap of each other.
+    [[nodiscard]] bool near(const Box &other, double gap) const {
+        return low.x <= other.high.x + gap && other.low.x <= high.x + gap &&
+               low.y <= other.high.y + gap && other.low.y <= high.y + gap &&
+               low.z <= other.high.z + gap && other.low.z <= high.z + gap;
+    }
+};
+
+} // namespace nmgs
