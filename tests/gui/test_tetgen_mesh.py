@@ -25,7 +25,10 @@ def test_solid(document, box):
     made = document.getObject("TetGenMesh")
     assert made is not None, [b.text() for b in message_boxes()]
     assert volume(made) == pytest.approx(6000)
-    assert made.FemMesh.TetraCount == made.ElementCount > 0
+    assert made.FemMesh.TetraCount == made.ElementCount
+    # Edges of about a twentieth of the diagonal: no tetrahedron is larger than such a regular one.
+    largest = made.Proxy.mesh(made).quality("volume")["tetra"].max()
+    assert largest <= 1.01 * (1400**0.5 / 20) ** 3 / (6 * 2**0.5)
     assert not box.Visibility
     screenshot("tetgen")
     before = content(made)
