@@ -13,7 +13,7 @@ import traceback
 import FreeCAD
 import FreeCADGui
 import numpy as np
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from freecad.NMGSWorkbench import nmgs
 from freecad.NMGSWorkbench.fem import analysis as fem_analysis
@@ -28,7 +28,8 @@ rows = []
 
 
 def say(text):
-    sys.__stdout__.write(f"== {text}\n")
+    """One line for the user; FreeCAD and CalculiX talk on the same stream, without the mark."""
+    sys.__stdout__.write("".join(f"NMGS| {line}\n" for line in text.split("\n")))
     sys.__stdout__.flush()
 
 
@@ -53,7 +54,8 @@ def table():
     widths = [max(len(r[i]) for r in [HEAD, *rows]) for i in range(len(HEAD))]
     lines = []
     for r in [HEAD, *rows]:
-        lines.append("  ".join([r[0].ljust(widths[0])] + [c.rjust(w) for c, w in zip(r, widths)][1:]))
+        numbers = [cell.rjust(width) for cell, width in zip(r, widths)][1:]
+        lines.append("  ".join([r[0].ljust(widths[0]), *numbers]).rstrip())
     return "\n".join(lines)
 
 
@@ -77,9 +79,35 @@ def picture(document, shown, name):
             obj.ViewObject.Visibility = obj in shown
     view = FreeCADGui.getDocument(document.Name).activeView()
     view.viewIsometric()
-    view.fitAll()
+    view.fitAll(0.75)
     FreeCADGui.updateGui()
-    view.saveImage(os.path.join(OUT, name + ".png"), 1200, 900, "White")
+    view.saveImage(os.path.join(OUT, name + ".png"), 1000, 1000, "White")
+
+
+def overview(names):
+    """The pictures side by side, with what they show, as OUT/overview.png."""
+    width, height, line = 400, 470, 40
+    sheet = QtGui.QImage(width * len(names), height, QtGui.QImage.Format_RGB32)
+    sheet.fill(QtGui.QColor("white"))
+    painter = QtGui.QPainter(sheet)
+    painter.setFont(QtGui.QFont("Sans", 13))
+    for column, (name, caption) in enumerate(names.items()):
+        image = QtGui.QImage(os.path.join(OUT, name + ".png"))
+        image = image.scaled(
+            width, height - line, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation
+        )
+        painter.drawImage(column * width + (width - image.width()) // 2, 0, image)
+        box = QtCore.QRect(column * width, height - line, width, line)
+        painter.drawText(box, int(QtCore.Qt.AlignCenter), caption)
+    painter.end()
+    if not sheet.save(os.path.join(OUT, "overview.png")):
+        raise OSError(f"{OUT}/overview.png could not be written")
+
+
+def rainbow(share):
+    """Blue over green to red for 0 to 1."""
+    red, green, blue = (1.5 - abs(4 * share - k) for k in (3, 2, 1))
+    return tuple(max(0.0, min(1.0, c)) for c in (red, green, blue))
 
 
 def cut_open(document, mesh):
@@ -91,7 +119,7 @@ def cut_open(document, mesh):
 
 
 def job():
-    say(f"reading {os.path.basename(STEP)}")
+    say(f"== reading {os.path.basename(STEP)}")
     document = FreeCAD.newDocument("Demo")
     import Import
 
@@ -100,7 +128,7 @@ def job():
     volume = part.Shape.Volume
     document.recompute()
 
-    say("fitting 20-node blocks")
+    say("== fitting 20-node blocks")
     model = blocks.make(document)
     model.Source = [(part, ("Solid1",))]
     model.Size = SIZE
@@ -112,7 +140,7 @@ def job():
 
     meshes = {}
     for order, name in ((1, "hexahedra, 8 nodes"), (2, "hexahedra, 20 nodes")):
-        say(f"generating {name}")
+        say(f"== generating {name}")
         obj = structured_mesh.make(document, f"Hexahedra{'8' if order == 1 else '20'}")
         obj.Blocks = model
         obj.Order = order
@@ -123,11 +151,11 @@ def job():
     quadratic = meshes[2].Proxy.mesh(meshes[2])
     picture(document, [meshes[1]], "hexahedra")
 
-    say("splitting the hexahedra")
+    say("== splitting the hexahedra")
     split, seconds = timed(linear.split)
     row("12 tetrahedra a hexahedron", seconds, split, volume)
 
-    say("running TetGen on the same solid")
+    say("== running TetGen on the same solid")
     tets = tetgen_mesh.make(document)
     tets.Source = [(part, ("Solid1",))]
     tets.Switches = f"pq1.4a{SIZE**3 / 6:g}"
@@ -138,7 +166,7 @@ def job():
     picture(document, [cut], "tetgen")
     document.removeObject(cut.Name)
 
-    say("writing arm.n3s, arm.n3r, arm.inp, arm.vtu")
+    say("== writing arm.n3s, arm.n3r, arm.inp, arm.vtu")
     base = os.path.join(OUT, "arm")
 
     def write():
@@ -150,7 +178,7 @@ def job():
     _, seconds = timed(write)
     rows.append(("files", "", "", "", "", "", f"{seconds:.2f}"))
 
-    say("solving the 20-node hexahedra with CalculiX")
+    say("== solving the 20-node hexahedra with CalculiX")
     ends = sorted(
         (f.CenterOfMass.z, n)
         for n, f in enumerate(part.Shape.Faces, 1)
@@ -162,12 +190,20 @@ def job():
     result, seconds = timed(lambda: fem_analysis.solve(analysis))
     row("CalculiX, 20 nodes", seconds, quadratic, volume, max(result.DisplacementLengths))
     shown = result.Mesh
-    shown.ViewObject.setNodeColorByScalars(result.NodeNumbers, result.DisplacementLengths)
-    moves = dict(zip(result.NodeNumbers, result.DisplacementVectors))
+    largest = max(result.DisplacementLengths)
+    colours = [rainbow(length / largest) for length in result.DisplacementLengths]
+    shown.ViewObject.NodeColor = dict(zip(result.NodeNumbers, colours))
     shown.ViewObject.setNodeDisplacementByVectors(result.NodeNumbers, result.DisplacementVectors)
-    factor = 10.0 / max(v.Length for v in moves.values())
-    shown.ViewObject.applyDisplacement(factor)
+    shown.ViewObject.applyDisplacement(10.0 / largest)
     picture(document, [shown], "displacement")
+    overview(
+        {
+            "blocks": f"{model.ElementCount} blocks of 20 nodes",
+            "hexahedra": f"{meshes[1].ElementCount} hexahedra",
+            "tetgen": f"{tets.ElementCount} tetrahedra by TetGen, cut open",
+            "displacement": "displacement by CalculiX, enlarged",
+        }
+    )
     document.saveAs(os.path.join(OUT, "arm.FCStd"))
 
 
@@ -178,7 +214,7 @@ def go():
         text = table()
         with open(os.path.join(OUT, "table.txt"), "w", encoding="utf-8") as file:
             file.write(text + "\n")
-        sys.__stdout__.write("\n" + text + "\n")
+        say("\n" + text + "\n")
     except BaseException as error:
         traceback.print_exc(file=sys.__stderr__)
         sys.__stderr__.write(f"error: {error}\n")

@@ -8,8 +8,7 @@
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/mapped.h"
 #include "nmgs_cad/refine.h"
-
-#include <Standard_Version.hxx>
+#include "nmgs_cad/version.h"
 
 #include <memory>
 
@@ -100,7 +99,7 @@ PYBIND11_MODULE(cad, module) {
     using namespace nmgs::bindings;
     module.doc() = "Kernel of the NMGS Workbench with OpenCASCADE.";
     register_errors();
-    module.attr("occt_version") = OCC_VERSION_COMPLETE;
+    module.attr("occt_version") = nmgs::cad::occt_version();
     py::class_<nmgs::cad::CadShape, std::shared_ptr<nmgs::cad::CadShape>>(
         module, "CadShape", "A shape whose FaceN, EdgeN, VertexN are FreeCAD's.")
         .def(py::init(&read_brep), py::arg("brep"), "From the bytes of a BREP of OpenCASCADE.")

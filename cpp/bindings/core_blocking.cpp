@@ -5,11 +5,13 @@
 #include "mesh.h"
 
 #include "nmgs/blocking/block_check.h"
+#include "nmgs/blocking/divisions.h"
 #include "nmgs/blocking/generate.h"
 #include "nmgs/blocking/grading.h"
 #include "nmgs/support/parallel.h"
 
 #include <optional>
+#include <tuple>
 
 namespace nmgs::bindings {
 namespace {
@@ -43,6 +45,46 @@ py::list check_model(const DoubleArray &nodes, const IntArray &divisions, const 
                                      py::make_tuple(p.place.x, p.place.y, p.place.z), p.text));
     }
     return result;
+}
+
+// {'chain': (NE, d), 'reversed': (NE, d), 'twisted': (C,), 'length': (NE, d) mean arc lengths}.
+py::dict chains(const DoubleArray &nodes, const IntArray &divisions, double tolerance) {
+    const BlockModel model = block_model_of(nodes, divisions, py::none());
+    validate(model);
+    Chains found = find_chains(model, find_topology(model, tolerance));
+    std::vector<double> lengths;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        for (int d = 0; d < model.dimension; ++d) {
+            lengths.push_back(direction_length(model, b, d).mean);
+        }
+    }
+    const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(model.size()), model.dimension};
+    py::dict result;
+    result["chain"] = give(std::move(found.chain), shape);
+    result["reversed"] =
+        give(std::vector<std::int8_t>(found.reversed.begin(), found.reversed.end()), shape);
+    result["twisted"] =
+        give(std::vector<std::int8_t>(found.twisted.begin(), found.twisted.end()), {found.count});
+    result["length"] = give(std::move(lengths), shape);
+    return result;
+}
+
+// wishes: (block, direction, count, hard) each, blocks and directions from 0 on.
+py::array_t<std::int32_t>
+solve(const DoubleArray &nodes, const IntArray &divisions,
+      const std::vector<std::tuple<std::int32_t, int, std::int32_t, bool>> &wishes, double size,
+      double tolerance) {
+    const BlockModel model = block_model_of(nodes, divisions, py::none());
+    validate(model);
+    std::vector<DivisionWish> list;
+    for (const auto &[block, direction, count, hard] : wishes) {
+        list.push_back({block, direction, count, hard});
+    }
+    std::vector<std::int32_t> flat;
+    for (const auto &g : solve_divisions(model, find_topology(model, tolerance), list, size)) {
+        flat.insert(flat.end(), g.begin(), g.begin() + model.dimension);
+    }
+    return give(std::move(flat), {static_cast<py::ssize_t>(model.size()), model.dimension});
 }
 
 py::array_t<double> grading_positions(const std::string &kind, std::int32_t count,
@@ -79,6 +121,11 @@ void bind_blocking(py::module_ &module) {
                "Threads of the kernel; 0 for as many as the machine has.");
     module.def("check", &check_model, py::arg("nodes"), py::arg("divisions"), py::arg("spacing"),
                py::arg("tolerance") = -1.0, "What is wrong with a model; see block_check.h.");
+    module.def("chains", &chains, py::arg("nodes"), py::arg("divisions"),
+               py::arg("tolerance") = -1.0, "Directions that need one count; see divisions.h.");
+    module.def("solve_divisions", &solve, py::arg("nodes"), py::arg("divisions"), py::arg("wishes"),
+               py::arg("size") = 0.0, py::arg("tolerance") = -1.0,
+               "Divisions (NE, 2 | 3) that agree over the whole model; see divisions.h.");
     module.def("grading_positions", &grading_positions, py::arg("kind"), py::arg("count"),
                py::arg("ratio"), py::arg("first"), py::arg("last"), py::arg("values"),
                py::arg("reverse"), "Positions from 0 to 1 of a grading; see blocking/grading.h.");

@@ -30,7 +30,11 @@ _MESH_FORMATS: Dict[str, str] = {
     "face.gid": "GiD surface mesh",
     "ele.gid": "GiD volume mesh",
 }
-_PLC_FORMATS = {"poly": "TetGen piecewise linear complex", "node": "TetGen points"}
+_PLC_FORMATS = {
+    "poly": "TetGen piecewise linear complex",
+    "smesh": "TetGen simple piecewise linear complex",
+    "node": "TetGen points",
+}
 
 
 def content(obj: Any) -> Any:

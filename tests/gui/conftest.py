@@ -29,6 +29,10 @@ def wait_until(condition, seconds: float = 10.0) -> None:
 @pytest.fixture(scope="session", autouse=True)
 def workbench():
     FreeCADGui.activateWorkbench("NMGSWorkbench")
+    # A first start's side bar is narrower than the buttons of a panel.
+    window = FreeCADGui.getMainWindow()
+    docks = window.findChildren(QtGui.QDockWidget, "Combo View")
+    window.resizeDocks(docks, [400] * len(docks), QtCore.Qt.Horizontal)
     process_events()
 
 

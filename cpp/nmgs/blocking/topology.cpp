@@ -3,7 +3,7 @@
 
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
-#include "nmgs/support/point_hash.h"
+#include "nmgs/mesh/point_hash.h"
 
 #include <algorithm>
 #include <cmath>
@@ -173,6 +173,8 @@ void Finder::find_edges(const std::vector<std::int32_t> &vertex, std::vector<std
                     vertex[ob * part::count + static_cast<std::size_t>(other_low)] != v0;
                 const int other_axis = part::axes(candidate.owner.part).axis[0];
                 index = candidate.index;
+                topology.edge_reversed[b * part::count + static_cast<std::size_t>(code)] =
+                    reversed ? 1 : 0;
                 const int mine = count(b, axis);
                 const int theirs = count(ob, other_axis);
                 if (mine != theirs) {
@@ -328,12 +330,13 @@ Topology find_topology(const BlockModel &model, double tolerance) {
         }
     }
     std::vector<std::int32_t> vertex(model.size() * part::count, -1);
-    std::vector<std::int32_t> edge(model.size() * part::count, -1);
+    topology.edge.assign(model.size() * part::count, -1);
+    topology.edge_reversed.assign(model.size() * part::count, 0);
     Finder finder{model, topology, topology.tolerance};
     finder.find_vertices(vertex);
-    finder.find_edges(vertex, edge);
+    finder.find_edges(vertex, topology.edge);
     if (model.dimension == 3) {
-        finder.find_faces(edge);
+        finder.find_faces(topology.edge);
     }
     topology.uses.assign(topology.owner.size(), 0);
     for (const Owner &o : topology.owner) {

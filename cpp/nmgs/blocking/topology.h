@@ -69,8 +69,12 @@ struct Topology {
     std::vector<Owner> owner;
     // Number of blocks' parts that lead to the owner, itself included.
     std::vector<std::int32_t> uses;
-    std::vector<Conflict>
-        conflicts; // divisions or spacings that disagree over a shared edge or face
+    // Divisions or spacings that disagree over a shared edge or face.
+    std::vector<Conflict> conflicts;
+    // Of each edge part: the number of the edge that it is, from 0, whatever its divisions, and
+    // whether it runs against the first block's. -1 for other parts.
+    std::vector<std::int32_t> edge;
+    std::vector<char> edge_reversed;
 
     [[nodiscard]] const Owner &of(std::size_t block, int code) const {
         return owner[block * part::count + static_cast<std::size_t>(code)];

@@ -15,19 +15,6 @@ constexpr CellType tri6 = CellType::triangle6;
 constexpr CellType quad = CellType::quad;
 constexpr CellType quad8 = CellType::quad8;
 
-constexpr LocalEdge line_edges[] = {{0, 1, 2}};
-constexpr LocalEdge triangle_edges[] = {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}};
-constexpr LocalEdge quad_edges[] = {{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}};
-constexpr LocalEdge tetra_edges[] = {{0, 1, 4}, {1, 2, 5}, {2, 0, 6},
-                                     {0, 3, 7}, {1, 3, 8}, {2, 3, 9}};
-constexpr LocalEdge pyramid_edges[] = {{0, 1, 5}, {1, 2, 6},  {2, 3, 7},  {3, 0, 8},
-                                       {0, 4, 9}, {1, 4, 10}, {2, 4, 11}, {3, 4, 12}};
-constexpr LocalEdge wedge_edges[] = {{0, 1, 6},  {1, 2, 7},  {2, 0, 8},  {3, 4, 9}, {4, 5, 10},
-                                     {5, 3, 11}, {0, 3, 12}, {1, 4, 13}, {2, 5, 14}};
-constexpr LocalEdge hexahedron_edges[] = {{0, 1, 8},  {1, 2, 9},  {2, 3, 10}, {3, 0, 11},
-                                          {4, 5, 12}, {5, 6, 13}, {6, 7, 14}, {7, 4, 15},
-                                          {0, 4, 16}, {1, 5, 17}, {2, 6, 18}, {3, 7, 19}};
-
 constexpr LocalFace tetra_faces[] = {
     {tri, {0, 2, 1}}, {tri, {0, 1, 3}}, {tri, {1, 2, 3}}, {tri, {2, 0, 3}}};
 constexpr LocalFace pyramid_faces[] = {
@@ -62,25 +49,6 @@ constexpr LocalFace hexahedron20_faces[] = {
 
 } // namespace
 
-std::span<const LocalEdge> edges(CellType type) {
-    switch (linear_type(type)) {
-    case CellType::line:
-        return line_edges;
-    case CellType::triangle:
-        return triangle_edges;
-    case CellType::quad:
-        return quad_edges;
-    case CellType::tetra:
-        return tetra_edges;
-    case CellType::pyramid:
-        return pyramid_edges;
-    case CellType::wedge:
-        return wedge_edges;
-    default:
-        return hexahedron_edges;
-    }
-}
-
 std::span<const LocalFace> faces(CellType type) {
     switch (type) {
     case CellType::tetra:
@@ -104,16 +72,6 @@ std::span<const LocalFace> faces(CellType type) {
     }
 }
 
-// The enumeration lists each linear type with its quadratic one behind it.
-bool is_quadratic(CellType type) {
-    return static_cast<int>(type) % 2 == 1;
-}
-CellType linear_type(CellType type) {
-    return static_cast<CellType>(static_cast<int>(type) / 2 * 2);
-}
-CellType quadratic_type(CellType type) {
-    return static_cast<CellType>(static_cast<int>(type) / 2 * 2 + 1);
-}
 int corner_count(CellType type) {
     return node_count(linear_type(type));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/plc/welded.h"
 
-#include "nmgs/support/point_hash.h"
+#include "nmgs/mesh/point_hash.h"
 
 #include <algorithm>
 #include <numeric>

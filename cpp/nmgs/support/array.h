@@ -3,6 +3,8 @@
 // A mesh of 100 million cells is filled once, by many threads, and handed to NumPy without a copy.
 #pragma once
 
+#include "nmgs/support/memory.h"
+
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -17,7 +19,7 @@ class Array {
 public:
     Array() = default;
     explicit Array(std::size_t size)
-        : data_(size == 0 ? nullptr : std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
+        : data_(size == 0 ? nullptr : static_cast<T *>(allocate(size, sizeof(T)))), size_(size) {}
 
     [[nodiscard]] std::size_t size() const { return size_; }
     // Forgets the elements from size on; their memory stays with the array.
@@ -33,7 +35,10 @@ public:
     const T *end() const { return data() + size_; }
 
 private:
-    std::unique_ptr<T[]> data_;
+    struct Release {
+        void operator()(T *memory) const { release(memory); }
+    };
+    std::unique_ptr<T[], Release> data_;
     std::size_t size_ = 0;
 };
 

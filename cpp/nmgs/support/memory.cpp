@@ -3,9 +3,15 @@
 
 #include "nmgs/support/error.h"
 
+#include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <string>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace nmgs {
 
@@ -30,6 +36,35 @@ void require_memory(std::int64_t bytes, const char *what) {
                             " bytes of memory, and " + std::to_string(available) +
                             " are available");
     }
+}
+
+void *allocate(std::size_t count, std::size_t bytes_each) {
+    if (count > std::numeric_limits<std::size_t>::max() / 2 / bytes_each) {
+        throw std::bad_alloc();
+    }
+    const std::size_t bytes = count * bytes_each;
+    void *memory = nullptr;
+#ifdef __linux__
+    constexpr std::size_t large_page = std::size_t{1} << 21;
+    if (bytes >= 2 * large_page) {
+        const std::size_t whole = (bytes + large_page - 1) / large_page * large_page;
+        memory = std::aligned_alloc(large_page, whole);
+        if (memory != nullptr) {
+            madvise(memory, whole, MADV_HUGEPAGE); // a hint; nothing is lost where it is refused
+        }
+    } else
+#endif
+    {
+        memory = std::malloc(bytes); // NOLINT(cppcoreguidelines-no-malloc)
+    }
+    if (memory == nullptr) {
+        throw std::bad_alloc();
+    }
+    return memory;
+}
+
+void release(void *memory) {
+    std::free(memory); // NOLINT(cppcoreguidelines-no-malloc)
 }
 
 } // namespace nmgs

@@ -26,6 +26,9 @@ class TetGenMesh(Command):
             raise ValueError("Pick a solid, a PLC, blocks, patches or a mesh.")
         obj = tetgen_mesh.make(document)
         obj.Source = source
+        if getattr(source[0][0], "FacetCount", None) == 0:
+            # Points alone have no boundary to keep: their Delaunay tetrahedra.
+            obj.Switches = ""
         self.computed(obj)
         for part, _ in source:
             part.Visibility = False

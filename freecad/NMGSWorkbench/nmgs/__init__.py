@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
-from . import grading
+from . import grading, shapes
 from .block_model import BlockModel
 from .cad import fit
 from .errors import (
@@ -38,5 +38,6 @@ __all__ = [
     "read",
     "to_fem",
     "tetrahedralize",
+    "shapes",
     "write",
 ]

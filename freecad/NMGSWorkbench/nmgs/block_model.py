@@ -4,13 +4,19 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Callable, List, Optional, Tuple
+from typing import Any, Callable, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _kernel
+from .errors import BlockingError
 from .grading import Grading
 from .mesh import Mesh
+
+
+DIRECTIONS = ("xi", "eta", "zeta")
+#: (element, direction): from 0 on, or the direction's name.
+Direction = Tuple[int, Union[int, str]]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -106,7 +112,7 @@ class BlockModel:
             element, direction = bad[0]
             raise ValueError(
                 f"divisions: element {element + 1} has {values[element, direction]} along "
-                f"{('xi', 'eta', 'zeta')[direction]}; expected a whole number from 1 on"
+                f"{DIRECTIONS[direction]}; expected a whole number from 1 on"
             )
         return np.ascontiguousarray(values, dtype=np.int32)
 
@@ -132,11 +138,114 @@ class BlockModel:
                 try:
                     result.append(grading.positions(int(count)))
                 except ValueError as error:
-                    name = ("xi", "eta", "zeta")[direction]
                     raise ValueError(
-                        f"grading: element {element + 1} along {name}: {error}"
+                        f"grading: element {element + 1} along {DIRECTIONS[direction]}: {error}"
                     ) from error
         return result
+
+    def chains(self, tolerance: Optional[float] = None) -> np.ndarray:
+        """int32 (NE, 2 | 3): directions with one number are one chain of opposite and shared edges;
+        they must have one count and one spacing."""
+        raw = _kernel.core().chains(self.nodes, self.divisions, self._checked_tolerance(tolerance))
+        return raw["chain"]
+
+    def set_divisions(
+        self,
+        size: Optional[float] = None,
+        hard: Optional[Mapping[Direction, int]] = None,
+        soft: Optional[Mapping[Direction, int]] = None,
+    ) -> None:
+        """Divisions that agree over the whole model.
+
+        hard, soft: {(element, direction): count}; elements from 0, directions 0 to 2 or "xi",
+        "eta", "zeta". A chain with hard counts gets that count, else the largest soft one, else,
+        given size, the fewest divisions with no element longer than it on the chain's longest edge,
+        else the largest of its present ones. Raises BlockingError naming the blocks and the chain
+        that links them when hard counts contradict each other, ValueError.
+        """
+        if size is not None and not 0 < size < float("inf"):
+            raise ValueError(f"size: expected a length above 0, got {size!r}")
+        wishes = []
+        for name, counts in (("hard", hard), ("soft", soft)):
+            for key, count in (counts or {}).items():
+                element, direction = self._checked_direction(key)
+                if count != int(count) or not 1 <= count < 2**31:
+                    raise ValueError(
+                        f"{name}: expected a whole number from 1 on for {key!r}, got {count!r}"
+                    )
+                wishes.append((element, direction, int(count), name == "hard"))
+        self.divisions = _kernel.core().solve_divisions(
+            self.nodes, self.divisions, wishes, 0.0 if size is None else float(size)
+        )
+
+    def with_divisions(
+        self,
+        size: Optional[float] = None,
+        hard: Optional[Mapping[Direction, int]] = None,
+        soft: Optional[Mapping[Direction, int]] = None,
+    ) -> "BlockModel":
+        """A copy with other divisions; see set_divisions."""
+        model = self.copy()
+        model.set_divisions(size, hard, soft)
+        return model
+
+    def set_grading(
+        self, element: int, direction: Union[int, str], grading: Grading, chain: bool = True
+    ) -> None:
+        """Grades a direction of an element and, with chain, all directions that must agree with it,
+        turned round where they run the other way.
+
+        Sizes of the grading are taken on the mean arc length of this element's edges along the
+        direction. Raises BlockingError where a chain comes back to itself turned round and the
+        grading is not symmetric, ValueError.
+        """
+        element, direction = self._checked_direction((element, direction))
+        raw = _kernel.core().chains(self.nodes, self.divisions)
+        if grading.needs_length:
+            length = float(raw["length"][element, direction])
+            grading = dataclasses.replace(grading, length=length)
+        spacing = grading.positions(int(self.divisions[element, direction]))
+        if not chain:
+            self.grading[element][direction] = grading
+            return
+        number = raw["chain"][element, direction]
+        symmetric = spacing is None or np.allclose(spacing, 1 - spacing[::-1], rtol=0, atol=1e-9)
+        if raw["twisted"][number] and not symmetric:
+            name = f"Block{element + 1}"
+            reason = (
+                f"{name} along {DIRECTIONS[direction]} is in a chain that comes back to it turned "
+                "round: only a symmetric grading fits"
+            )
+            raise BlockingError(reason, [name], [reason])
+        turned = grading.reversed()
+        for e, d in np.argwhere(raw["chain"] == number):
+            same = raw["reversed"][e, d] == raw["reversed"][element, direction]
+            self.grading[e][d] = grading if same else turned
+
+    def _checked_direction(self, key: Direction) -> Tuple[int, int]:
+        try:
+            element, direction = key
+        except (TypeError, ValueError):
+            raise ValueError(f"expected (element, direction), got {key!r}") from None
+        names = DIRECTIONS[: self.dimension]
+        if not isinstance(element, (int, np.integer)) or not 0 <= element < len(self):
+            raise ValueError(f"element: expected 0 to {len(self) - 1}, got {element!r}")
+        if direction in names:
+            return int(element), names.index(direction)
+        if not isinstance(direction, (int, np.integer)) or not 0 <= direction < self.dimension:
+            raise ValueError(
+                f"direction: expected 0 to {self.dimension - 1} or one of {', '.join(names)}, "
+                f"got {direction!r}"
+            )
+        return int(element), int(direction)
+
+    def copy(self) -> "BlockModel":
+        """A model of its own with the same blocks; the CAD that they lie on is shared."""
+        model = BlockModel(self.nodes.copy(), self.divisions.copy(), self.reference)
+        model.grading = [list(row) for row in self.grading]
+        model.cad = self.cad
+        model.report = list(self.report)
+        return model
 
     def check(self, tolerance: Optional[float] = None) -> List[Problem]:
         """What is wrong with the blocks before meshing; empty where nothing is.

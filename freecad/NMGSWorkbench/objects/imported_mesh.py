@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from .. import nmgs
-from .mesh_base import FIGURES, MeshObject
+from .mesh_base import FIGURES, MeshObject, with_model
 
 
 class ImportedMesh(MeshObject):
@@ -15,8 +15,19 @@ class ImportedMesh(MeshObject):
     view = ("imported_mesh", "ImportedMeshView")
     properties = (
         ("App::PropertyString", "File", "Mesh", "File that the mesh was read from", None, 1),
+        (
+            "App::PropertyLink",
+            "Blocks",
+            "Mesh",
+            "The blocks or patches that the file says the mesh was made of",
+            None,
+            0,
+        ),
         *FIGURES,
     )
+
+    def mesh(self, obj: Any) -> nmgs.Mesh:
+        return with_model(super().mesh(obj), obj.Blocks)
 
     def compute(self, obj: Any) -> None:
         """Nothing to follow, nothing to do."""

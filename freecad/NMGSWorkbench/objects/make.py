@@ -7,7 +7,7 @@ import os
 from typing import Any
 
 from .. import nmgs
-from . import blocking, blocks, imported_mesh, patches
+from . import blocking, blocks, imported_mesh, patches, plc
 
 
 def blocks_from_file(document: Any, path: str) -> Any:
@@ -33,6 +33,18 @@ def mesh_from_file(document: Any, path: str) -> Any:
     """A mesh object of a file; with its Blocks or Patches when the file holds them, as N2R does."""
     mesh = nmgs.read(path)
     obj = imported_mesh.make(document, mesh)
+    obj.Label = _title(path)
+    obj.File = path
+    if mesh.model is not None:
+        obj.Blocks = blocks_from_model(document, mesh.model)
+        obj.Blocks.recompute()
+        obj.Blocks.Visibility = False
+    return obj
+
+
+def plc_from_file(document: Any, path: str) -> Any:
+    """A Plc object of a .node, .poly or .smesh file."""
+    obj = plc.make(document, nmgs.read(path))
     obj.Label = _title(path)
     obj.File = path
     return obj

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+import hashlib
+from typing import Any, Dict, Optional
 
 from .. import nmgs
 from ..fem.fem_mesh import fem_mesh
@@ -30,13 +31,26 @@ FIGURES = (
         None,
         1,
     ),
+    ("App::PropertyString", "Content", "Figures", "Hash of the mesh", None, 2),
 )
 
 
+#: Earlier meshes that are kept for undo: at most so many of an object, and so many bytes.
+_KEPT_MESHES = 20
+_KEPT_BYTES = 1 << 28
+
+
 class MeshObject(DocumentObject):
-    """Base; a subclass writes make_mesh(obj) -> nmgs.Mesh."""
+    """Base; a subclass writes make_mesh(obj) -> nmgs.Mesh.
+
+    FreeCAD 0.20 overwrites a FemMesh in place, so that undo brings back every property but this
+    one. Content, a hash of the mesh, is brought back; what it is the hash of is kept here.
+    """
 
     _mesh: Optional[nmgs.Mesh] = None
+    #: Content of what FemMesh holds.
+    _shown = ""
+    _kept: Optional[Dict[str, nmgs.Mesh]] = None
 
     def make_mesh(self, obj: Any) -> nmgs.Mesh:
         raise NotImplementedError
@@ -47,7 +61,10 @@ class MeshObject(DocumentObject):
     def put(self, obj: Any, mesh: nmgs.Mesh) -> None:
         """Makes the mesh obj's own, with its figures."""
         worst = worst_scaled_jacobian(mesh)
-        obj.FemMesh = fem_mesh(mesh)
+        prepared = fem_mesh(mesh)
+        if self._shown and self._shown not in (self._kept or {}):
+            self._keep(self._shown, self.mesh(obj))
+        obj.FemMesh = prepared
         obj.NodeCount = len(mesh.points)
         top = max((CELL_TYPES[name][1] for name in mesh.cells), default=0)
         counts = {
@@ -57,6 +74,9 @@ class MeshObject(DocumentObject):
         obj.Elements = [f"{name}: {count}" for name, count in counts.items()]
         obj.WorstScaledJacobian = worst
         self._mesh = mesh
+        self._shown = hash_of(mesh)
+        self._keep(self._shown, mesh)
+        obj.Content = self._shown
 
     def mesh(self, obj: Any) -> nmgs.Mesh:
         """The mesh that the document holds, as the console API's type."""
@@ -67,11 +87,60 @@ class MeshObject(DocumentObject):
     def onChanged(self, obj: Any, prop: str) -> None:
         if prop == "FemMesh":
             self._mesh = None
+        elif prop == "Content" and self._shown and obj.Content != self._shown:
+            self._bring_back(obj)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        super().onDocumentRestored(obj)
+        self._shown = obj.Content
+
+    def _keep(self, content: str, mesh: nmgs.Mesh) -> None:
+        kept = self._kept = self._kept or {}
+        kept.pop(content, None)
+        kept[content] = mesh
+        while len(kept) > 1 and (
+            len(kept) > _KEPT_MESHES or sum(size_of(mesh) for mesh in kept.values()) > _KEPT_BYTES
+        ):
+            del kept[next(iter(kept))]
+
+    def _bring_back(self, obj: Any) -> None:
+        """After undo, redo or abort: the mesh that the other properties tell of."""
+        mesh = (self._kept or {}).get(obj.Content)
+        if mesh is None:
+            # Too old or too large to have been kept; the next recompute makes it again.
+            obj.touch()
+            return
+        self._shown = obj.Content
+        obj.FemMesh = fem_mesh(mesh)
+        self._mesh = mesh
+
+
+def with_model(mesh: nmgs.Mesh, blocks: Any) -> nmgs.Mesh:
+    """The mesh; one out of a document gets its blocks back."""
+    if mesh.model is None and blocks is not None:
+        mesh.model = blocks.Proxy.model(blocks)
+    return mesh
+
+
+def hash_of(mesh: nmgs.Mesh) -> str:
+    """The same for the same points, cells and groups."""
+    digest = hashlib.blake2b(mesh.points.tobytes(), digest_size=16)
+    for name, nodes in sorted(mesh.cells.items()):
+        digest.update(name.encode())
+        digest.update(nodes.tobytes())
+    for name, (kind, indices) in sorted(mesh.groups.items()):
+        digest.update(f"{name}\n{kind}\n".encode())
+        digest.update(indices.tobytes())
+    return digest.hexdigest()
+
+
+def size_of(mesh: nmgs.Mesh) -> int:
+    """Bytes of the mesh's arrays."""
+    groups = sum(indices.nbytes for _, indices in mesh.groups.values())
+    return mesh.points.nbytes + sum(nodes.nbytes for nodes in mesh.cells.values()) + groups
 
 
 def worst_scaled_jacobian(mesh: nmgs.Mesh) -> float:
     """The smallest of all elements; 0 for a mesh without elements that have one."""
-    if not hasattr(mesh, "quality"):
-        return 0.0
     worst = [values.min() for values in mesh.quality().values() if len(values)]
     return float(min(worst)) if worst else 0.0

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from .. import nmgs
-from .mesh_base import FIGURES, MeshObject
+from .mesh_base import FIGURES, MeshObject, with_model
 from .run import run
 
 
@@ -65,10 +65,7 @@ class StructuredMesh(MeshObject):
         return mesh
 
     def mesh(self, obj: Any) -> nmgs.Mesh:
-        mesh = super().mesh(obj)
-        if mesh.model is None and obj.Blocks is not None:
-            mesh.model = obj.Blocks.Proxy.model(obj.Blocks)
-        return mesh
+        return with_model(super().mesh(obj), obj.Blocks)
 
 
 def make(document: Any, name: str = "StructuredMesh") -> Any:

@@ -24,7 +24,7 @@ class BlockingPanel(Panel):
 
     def fill(self) -> None:
         form, obj = self.form, self.obj
-        form.size.setProperty("rawValue", obj.Size.Value)
+        form.element_size.setProperty("rawValue", obj.Size.Value)
         form.tolerance.setProperty("rawValue", obj.Tolerance.Value)
         form.method.clear()
         form.method.addItems(METHODS)
@@ -33,7 +33,7 @@ class BlockingPanel(Panel):
         form.auto_divisions.setChecked(obj.AutoDivisions)
         form.auto_divisions.toggled.connect(self._divisions_enabled)
         # Elements that were read or typed in have nothing to be fitted to.
-        for widget in (form.size, form.tolerance, form.method, form.auto_divisions):
+        for widget in (form.element_size, form.tolerance, form.method, form.auto_divisions):
             widget.setEnabled(bool(obj.Source))
         self._fill_divisions()
         self._divisions_enabled(obj.AutoDivisions)
@@ -72,7 +72,7 @@ class BlockingPanel(Panel):
         if not form.auto_divisions.isChecked():
             obj.Divisions = self._divisions()
         obj.AutoDivisions = form.auto_divisions.isChecked()
-        obj.Size = form.size.property("rawValue")
+        obj.Size = form.element_size.property("rawValue")
         obj.Tolerance = form.tolerance.property("rawValue")
         obj.Method = form.method.currentText()
         obj.Reference = form.reference.text()

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, List
 
 from .base import ViewProvider
 
@@ -15,3 +15,6 @@ class ImportedMeshView(ViewProvider):
     def dress(self, vobj: Any) -> None:
         vobj.ShapeColor = (0.70, 0.70, 0.75)
         vobj.BackfaceCulling = False
+
+    def claimChildren(self) -> List[Any]:
+        return [self.Object.Blocks] if self.Object.Blocks else []

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels: OK is one undo step, Cancel leaves no trace, a wrong value is said and keeps it open."""
+
+import FreeCADGui
+import pytest
+from conftest import content, message_boxes, pick, process_events, run, screenshot
+from PySide import QtGui
+
+
+@pytest.fixture
+def meshed(document, box):
+    pick(box, "Solid1")
+    run("NMGS_FitBlocks")
+    run("NMGS_GenerateMesh")
+    return document.getObject("StructuredMesh")
+
+
+def open_panel(obj):
+    """A double click in the tree; the widget of the panel."""
+    assert obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    process_events()
+    assert FreeCADGui.Control.activeDialog()
+
+
+def widget(kind, name):
+    """A widget of the open panel."""
+    (found,) = [
+        w
+        for w in FreeCADGui.getMainWindow().findChildren(kind, name)
+        if w.isVisible() and w.window() is FreeCADGui.getMainWindow()
+    ]
+    return found
+
+
+def press(text):
+    """A click on a button of the open panel."""
+    for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
+        for button in box.buttons() if box.isVisible() else ():
+            if button.text().replace("&", "") == text:
+                button.click()
+                process_events()
+                return
+    raise AssertionError(f"no button {text}")
+
+
+def test_divisions_by_ok_is_one_undo_step(document, meshed):
+    blocks = document.getObject("Blocks")
+    before, steps = blocks.Divisions, document.UndoCount
+    mesh = content(meshed)
+    open_panel(blocks)
+    screenshot("panel_blocks")
+    widget(QtGui.QCheckBox, "auto_divisions").setChecked(False)
+    table = widget(QtGui.QTableWidget, "divisions")
+    assert table.isEnabled() and table.rowCount() == 1
+    for column, count in enumerate((2, 3, 4)):
+        table.item(0, column).setText(str(count))
+    press("OK")
+    assert not FreeCADGui.Control.activeDialog()
+    assert blocks.Divisions == [2, 3, 4]
+    # The mesh followed.
+    assert meshed.ElementCount == 24
+    assert document.UndoCount == steps + 1
+    document.undo()
+    assert blocks.Divisions == before
+    assert content(meshed) == mesh
+
+
+def test_apply_then_cancel_leaves_no_trace(document, meshed):
+    steps = document.UndoCount
+    mesh = content(meshed)
+    open_panel(meshed)
+    widget(QtGui.QComboBox, "order").setCurrentIndex(1)
+    press("Apply")
+    assert meshed.Elements[0].startswith("hexahedron20")
+    screenshot("panel_structured_mesh")
+    press("Cancel")
+    assert not FreeCADGui.Control.activeDialog()
+    assert content(meshed) == mesh and meshed.Order == 1
+    assert meshed.Elements[0].startswith("hexahedron:")
+    assert document.UndoCount == steps
+    assert "Touched" not in meshed.State
+
+
+def test_cancel_at_once(document, meshed):
+    steps = document.UndoCount
+    open_panel(meshed)
+    press("Cancel")
+    assert document.UndoCount == steps and "Touched" not in meshed.State
+
+
+def test_a_wrong_value_is_said_and_the_panel_stays(document, meshed):
+    blocks = document.getObject("Blocks")
+    before = list(blocks.Divisions)
+    open_panel(blocks)
+    widget(QtGui.QCheckBox, "auto_divisions").setChecked(False)
+    widget(QtGui.QTableWidget, "divisions").item(0, 1).setText("many")
+    press("OK")
+    assert FreeCADGui.Control.activeDialog()
+    (box,) = message_boxes()
+    assert "η" in box.text() and "many" in box.text()
+    press("Cancel")
+    assert blocks.Divisions == before and blocks.isValid()
+
+
+def test_report(document, meshed):
+    steps = document.UndoCount
+    pick(meshed)
+    run("NMGS_MeshReport")
+    summary = widget(QtGui.QLabel, "summary").text()
+    assert f"{meshed.NodeCount} points" in summary and "volume: 6000 mm³" in summary
+    metrics = widget(QtGui.QTableWidget, "metrics")
+    names = [metrics.item(row, 0).text() for row in range(metrics.rowCount())]
+    assert any(name.startswith("scaled jacobian") for name in names)
+    histogram = widget(QtGui.QTableWidget, "histogram")
+    counts = [int(histogram.item(row, 1).text()) for row in range(histogram.rowCount())]
+    assert sum(counts) == meshed.ElementCount
+    assert len(meshed.ViewObject.HighlightedNodes) > 0
+    screenshot("panel_report")
+    # Nothing else is started while a panel is open.
+    assert not FreeCADGui.Command.get("NMGS_MeshReport").isActive()
+    press("Close")
+    assert not FreeCADGui.Control.activeDialog()
+    assert document.UndoCount == steps
