@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "block_model.h"
 #include "core.h"
 #include "mesh_arrays.h"
 
 #include "nmgs/convert/hexa_to_tetra.h"
+#include "nmgs/convert/mid_sides_on_model.h"
 #include "nmgs/convert/quad_to_triangle.h"
 #include "nmgs/convert/raise_order.h"
 #include "nmgs/support/error.h"
 #include "nmgs/support/memory.h"
 
 #include <limits>
+#include <optional>
 
 namespace nmgs::bindings {
 namespace {
@@ -78,14 +81,25 @@ py::tuple hexahedra_to_tetrahedra(const DoubleArray &points, const IntArray &hex
     return py::make_tuple(give_points(std::move(all)), give_cells(std::move(tetrahedra), 4));
 }
 
-py::dict quadratic(const DoubleArray &points, const py::dict &cells, const py::object &progress) {
+// model: None or (nodes, divisions, spacing).
+py::dict quadratic(const DoubleArray &points, const py::dict &cells, const py::object &model,
+                   const py::object &progress) {
     const auto p = points_of(points);
     const CellArrays input = cell_arrays_of(cells);
+    std::optional<BlockModel> blocks;
+    if (!model.is_none()) {
+        const auto parts = model.cast<py::tuple>();
+        blocks = block_model_of(parts[0].cast<DoubleArray>(), parts[1].cast<IntArray>(), parts[2]);
+    }
     QuadraticMesh mesh;
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        mesh = raise_order(p, input.views, {}, listener);
+        PlaceOnEdge place;
+        if (blocks) {
+            place = mid_sides_on_model(*blocks, p, input.views).value_or(PlaceOnEdge());
+        }
+        mesh = raise_order(p, input.views, place, listener);
     }
     py::dict result;
     result["points"] = give_points(std::move(mesh.points));
@@ -115,8 +129,9 @@ void bind_convert(py::module_ &module) {
                py::arg("hexahedra"), py::arg("progress") = py::none(),
                "(points with one centroid a hexahedron behind them, (12 M, 4) tetrahedra).");
     module.def("raise_order", &quadratic, py::arg("points"), py::arg("cells"),
-               py::arg("progress") = py::none(),
-               "{'points', 'cells', 'ends'}: quadratic cells; ends (E, 2) of each new node.");
+               py::arg("model") = py::none(), py::arg("progress") = py::none(),
+               "{'points', 'cells', 'ends'}: quadratic cells; ends (E, 2) of each new node. model: "
+               "(nodes, divisions, spacing) of the blocks on whose mapping the new nodes lie.");
 }
 
 } // namespace nmgs::bindings

@@ -2,7 +2,7 @@
 // Points of a CAD edge by the fraction of its length.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <TopoDS_Edge.hxx>

@@ -2,7 +2,7 @@
 // Nearest points of a CAD face's surface.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopoDS_Face.hxx>

@@ -65,7 +65,7 @@ def test_faces_and_solids_are_groups_and_inner_faces_stay():
 def test_finer_deviation_comes_nearer():
     shape = Part.makeCylinder(1, 2)
     errors = []
-    for deviation in (0.04, 0.01, 0.0025):
+    for deviation in (0.01, 0.0025, 0.0006):
         mesh = nmgs.tetrahedralize(shape, "p", deviation=deviation)
         errors.append(1 - mesh.quality("volume")["tetra"].sum() / shape.Volume)
     assert 0 < errors[2] < errors[1] < errors[0]

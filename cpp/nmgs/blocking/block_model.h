@@ -3,7 +3,7 @@
 // blocks (thesis 2.3.1, NMGS-SVMG), with a number of divisions and a spacing a direction.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // Which diagonal splits a quadrilateral: the shorter one (thesis 3.1.1, eq. 3.1).
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Hexahedra into twelve tetrahedra each, by a node at the centroid (thesis 3.2.1).
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
 #include "nmgs/support/progress.h"
+#include "nmgs/support/vec3.h"
 
 #include <cstdint>
 #include <span>

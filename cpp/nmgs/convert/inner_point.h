@@ -2,7 +2,7 @@
 // The place inside a closed surface of triangles that sees all of them from inside.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <array>
 #include <optional>

@@ -2,8 +2,8 @@
 // Quadrilaterals into triangles by the shorter diagonal (thesis 3.1.1).
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
 #include "nmgs/support/progress.h"
+#include "nmgs/support/vec3.h"
 
 #include <cstdint>
 #include <span>

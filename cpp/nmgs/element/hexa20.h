@@ -6,7 +6,7 @@
 // alike.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <array>
 #include <span>

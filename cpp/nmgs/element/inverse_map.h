@@ -2,7 +2,7 @@
 // Natural coordinates of a place in an element, by Newton's and Gauss-Newton's methods.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <array>
 #include <optional>

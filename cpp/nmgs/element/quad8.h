@@ -4,7 +4,7 @@
 // 4-7 the mid-sides of edges 0-1, 1-2, 2-3, 3-0. VTK orders a quad8 alike.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <array>
 #include <span>

@@ -5,7 +5,7 @@
 // elements, J. Comput. Phys. 233, 2013).
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <array>
 #include <span>

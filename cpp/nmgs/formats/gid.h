@@ -3,7 +3,7 @@
 // 1.3 wrote it for GiD. GiD's own spelling of the same words is read too.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <cstdint>
 #include <string>

@@ -4,8 +4,8 @@
 // them.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
 #include "nmgs/support/array.h"
+#include "nmgs/support/vec3.h"
 
 #include <array>
 #include <cstdint>

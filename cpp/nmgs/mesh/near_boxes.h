@@ -2,7 +2,7 @@
 // Pairs of boxes that come near each other, by a sweep along x.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <algorithm>
 #include <cstddef>

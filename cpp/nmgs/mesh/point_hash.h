@@ -3,7 +3,7 @@
 // cells twice the tolerance wide (Teschner et al., Optimized spatial hashing, 2003).
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <cmath>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // Wang 1996), as TetGen understands it. All numbers are 0-based.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <cstdint>
 #include <span>

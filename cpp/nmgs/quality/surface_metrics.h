@@ -5,7 +5,7 @@
 // should be small are infinite and those that should be large are 0.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 namespace nmgs::triangle {
 double area(const Vec3 *p);

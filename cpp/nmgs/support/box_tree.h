@@ -3,7 +3,7 @@
 // the longest side; read by any number of threads.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 #include <cstdint>
 #include <vector>

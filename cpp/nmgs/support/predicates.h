@@ -3,7 +3,7 @@
 // 2001). The only header of the project that stands before CGAL.
 #pragma once
 
-#include "nmgs/mesh/vec3.h"
+#include "nmgs/support/vec3.h"
 
 namespace nmgs {
 

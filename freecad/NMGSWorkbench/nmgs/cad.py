@@ -9,7 +9,6 @@ import numpy as np
 
 from . import _kernel
 from .block_model import BlockModel, CadLink
-from .chain_divisions import divisions_by_size
 from .errors import BlockingError, GeometryError
 
 #: Strategies by name; "auto" takes the best.
@@ -55,11 +54,9 @@ def fit(
         reasons = [entry["reason"] for entry in report]
         raise BlockingError("no blocks: " + "; ".join(reasons), names, reasons)
 
-    link = CadLink(cad_shape, raw["offsets"], raw["entities"])
-    nodes = raw["nodes"]
-    wanted = cad_shape.diagonal / 30 if size is None else float(size)
-    model = BlockModel(nodes, divisions_by_size(nodes, wanted))
-    model.cad = link
+    model = BlockModel(raw["nodes"], 1)
+    model.cad = CadLink(cad_shape, raw["offsets"], raw["entities"])
+    model.set_divisions(cad_shape.diagonal / 30 if size is None else float(size))
     model.report = report
     return model
 

@@ -141,7 +141,9 @@ def to_order(mesh: Mesh, order: int, progress: Progress = None) -> Mesh:
     if order != 2:
         raise ValueError(f"order: expected 2, got {order!r}")
     _refuse(mesh, set(_QUADRATIC.values()), "they are quadratic already")
-    raised = _kernel.core().raise_order(mesh.points, mesh.cells, progress)
+    blocks = mesh.model
+    model = None if blocks is None else (blocks.nodes, blocks.divisions, blocks.spacing)
+    raised = _kernel.core().raise_order(mesh.points, mesh.cells, model, progress)
     groups: Dict[str, Group] = _raised_nodes(mesh, raised)
     for name, (kind, indices) in mesh.groups.items():
         if kind != "node":

@@ -125,7 +125,9 @@ class Mesh:
         """Quadratic cells (quad8, hexahedron20, triangle6, tetra10, ...) with a node on each edge.
 
         Points keep their numbers; mid-side nodes follow in the order in which the cells first name
-        their edges. Groups of cells stay as they are. A group of nodes gains the mid-side node of
+        their edges. Of a mesh that model.generate() made, or that and split, they lie on the true
+        mapping of the blocks (and move with nodes that were snapped); else on straight edges.
+        Groups of cells stay as they are. A group of nodes gains the mid-side node of
         an edge with both ends in the group when the edge is on the boundary or a line cell, or a
         cell with that edge has all its corners in the group.
         Raises ValueError for order other than 2, and for cells that are quadratic already.
