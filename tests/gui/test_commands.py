@@ -168,6 +168,41 @@ def test_what_is_left_out_is_said(document, box):
     assert "Ball.Solid1" in message.detailedText()
 
 
+def test_context_menu(document, box):
+    pick(box)
+    FreeCADGui.activeWorkbench().ContextMenu("View")
+    from freecad.NMGSWorkbench.commands import names_for_context_menu
+
+    assert names_for_context_menu() == ["NMGS_FitPatches", "NMGS_FitBlocks", "NMGS_TetGenMesh"]
+
+
+def test_toolbar_and_menu():
+    toolbars = FreeCADGui.activeWorkbench().getToolbarItems()
+    assert toolbars["NMGS"] == [
+        "NMGS_FitPatches",
+        "NMGS_FitBlocks",
+        "NMGS_GenerateMesh",
+        "NMGS_TetGenMesh",
+        "NMGS_MeshReport",
+        "NMGS_Export",
+    ]
+    (menu,) = [
+        action.menu()
+        for action in FreeCADGui.getMainWindow().menuBar().actions()
+        if action.text().replace("&", "") == "NMGS"
+    ]
+    assert [action.text().replace("&", "") for action in menu.actions()] == [
+        "Fit patches to faces",
+        "Fit blocks to solids",
+        "Generate mesh",
+        "TetGen mesh",
+        "Mesh report",
+        "Export",
+    ]
+    for action in menu.actions():
+        assert not action.icon().isNull() and len(action.toolTip()) > 20
+
+
 def test_blocks_stay_under_their_mesh(document, box):
     pick(box, "Solid1")
     run("NMGS_FitBlocks")

@@ -6,8 +6,8 @@
 #include "nmgs/element/inverse_map.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/element/validity.h"
-#include "nmgs/mesh/near_boxes.h"
 #include "nmgs/mesh/point_hash.h"
+#include "nmgs/support/near_boxes.h"
 #include "nmgs/support/numbers.h"
 #include "nmgs/support/parallel.h"
 
@@ -43,10 +43,7 @@ public:
             for (const Vec3 &p : model.element(b)) {
                 box.add(p);
             }
-            // A quadratic edge rises above its nodes by at most an eighth of their extent, a face
-            // or block by that for each of its directions.
-            const Vec3 more = 0.25 * (box.high - box.low);
-            boxes_.push_back({box.low - more, box.high + more});
+            boxes_.push_back(box);
         }
     }
 
@@ -118,6 +115,9 @@ private:
 
     void check_conflicts() {
         for (const Conflict &c : topology_.conflicts) {
+            const auto pair = std::minmax(c.block_a, c.block_b);
+            sharing_.emplace(static_cast<std::size_t>(pair.first),
+                             static_cast<std::size_t>(pair.second));
             const bool spacing = c.reason.starts_with("spaced");
             add(spacing ? ProblemKind::spacing : ProblemKind::divisions,
                 static_cast<std::size_t>(c.block_a), c.block_b, c.place,
@@ -226,7 +226,9 @@ private:
     // Blocks that share no face: places inside one that are inside the other too.
     void check_overlaps(const Progress &progress) {
         std::vector<std::pair<std::size_t, std::size_t>> pairs;
-        for (const auto &pair : near_boxes(boxes_, 0.0)) {
+        // Boxes of the nodes will do: what a curved face has outside of them is thin.
+        for (const auto &pair : near_boxes(boxes_, model_.dimension == 3 ? -topology_.tolerance
+                                                                         : topology_.tolerance)) {
             if (!sharing_.contains(pair)) {
                 pairs.push_back(pair);
             }
@@ -262,13 +264,15 @@ private:
         for (const double xi : samples) {
             for (const double eta : samples) {
                 for (const double zeta : samples) {
-                    if (model_.dimension == 2 && zeta != 0) {
+                    // The middle, and places towards the corners.
+                    const int middles = (xi == 0 ? 1 : 0) + (eta == 0 ? 1 : 0);
+                    if (model_.dimension == 2 ? zeta != 0 || middles == 1
+                                              : middles + (zeta == 0 ? 1 : 0) != 0 &&
+                                                    middles + (zeta == 0 ? 1 : 0) != 3) {
                         continue;
                     }
                     place = at(a, {xi, eta, zeta});
-                    Box point;
-                    point.add(place);
-                    if (!boxes_[b].near(point, 0.0)) {
+                    if (!boxes_[b].near(place, topology_.tolerance)) {
                         continue;
                     }
                     if (model_.dimension == 3) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int most_steps = 30;
 constexpr double settled = 1e-10;
+constexpr double farthest = 1.5;
 
 double clamped(double value, double limit) {
     return std::clamp(value, -limit, limit);
@@ -21,6 +22,7 @@ double clamped(double value, double limit) {
 
 std::optional<std::array<double, 3>> find_natural(std::span<const Vec3, 20> nodes, Vec3 point) {
     std::array<double, 3> at{0, 0, 0};
+    int far = 0;
     for (int step = 0; step < most_steps; ++step) {
         const auto n = hexa20::shape(at[0], at[1], at[2]);
         const auto d = hexa20::derivatives(at[0], at[1], at[2]);
@@ -43,8 +45,13 @@ std::optional<std::array<double, 3>> find_natural(std::span<const Vec3, 20> node
         double largest = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             // Far outside the mapping may fold: steps are short and stay near the element.
-            at[k] = clamped(at[k] + clamped(change[k], 0.7), 1.5);
+            at[k] = clamped(at[k] + clamped(change[k], 0.7), farthest);
             largest = std::max(largest, std::abs(change[k]));
+        }
+        // Twice at the border of what is looked at: the place is outside.
+        if (std::any_of(at.begin(), at.end(), [](double t) { return std::abs(t) >= farthest; }) &&
+            ++far == 2) {
+            return std::nullopt;
         }
         if (largest < settled) {
             const bool inside =

@@ -78,6 +78,8 @@ class BlockModel:
             raise ValueError(
                 f"nodes: expected shape (NE, 8, 3) or (NE, 20, 3), got {self.nodes.shape}"
             )
+        if not len(self.nodes):
+            raise ValueError("nodes: expected one element or more, got none")
         if not np.isfinite(self.nodes).all():
             element, node = np.argwhere(~np.isfinite(self.nodes))[0][:2]
             raise ValueError(f"nodes: node {node + 1} of element {element + 1} is not finite")
@@ -100,10 +102,10 @@ class BlockModel:
 
     def _checked_divisions(self, divisions: np.ndarray) -> np.ndarray:
         values = np.asarray(divisions)
-        if not np.issubdtype(values.dtype, np.number) or not np.isfinite(values).all():
+        if values.dtype.kind not in "iuf" or not np.isfinite(values).all():
             raise ValueError(f"divisions: expected whole numbers, got {divisions!r}")
         shape = (len(self.nodes), self.dimension)
-        if values.ndim <= 1:
+        if values.ndim == 0 or values.shape == shape[1:]:
             values = np.broadcast_to(values, shape)
         if values.shape != shape:
             raise ValueError(f"divisions: expected shape {shape}, got {values.shape}")

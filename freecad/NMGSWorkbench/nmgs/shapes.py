@@ -546,7 +546,9 @@ def _core_half(s: np.ndarray, t: np.ndarray, w: np.ndarray) -> np.ndarray:
 
 
 def half_ball(radius: float = 1.0, divisions: Divisions = 4, pieces: int = 2) -> BlockModel:
-    """The upper half of a ball of six blocks, times pieces cubed. divisions: (around, radial, up)."""
+    """The upper half of a ball of six blocks, times pieces cubed.
+
+    divisions: (around, radial, up)."""
     _positive(radius=radius)
     around, radial, up = _counts(divisions, ("around", "radial", "up"))
 
