@@ -18,6 +18,20 @@
 namespace nmgs::bindings {
 namespace {
 
+// Moves rows of N numbers into an (M, N) array.
+template <std::size_t N>
+py::array_t<std::int32_t> give_rows(std::vector<std::array<std::int32_t, N>> &&rows) {
+    using Rows = std::vector<std::array<std::int32_t, N>>;
+    auto owner = std::make_unique<Rows>(std::move(rows));
+    const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(owner->size()),
+                                         static_cast<py::ssize_t>(N)};
+    auto *data = reinterpret_cast<std::int32_t *>(owner->data());
+    const py::capsule capsule(owner.release(), [](void *memory) {
+        const std::unique_ptr<Rows> end(static_cast<Rows *>(memory));
+    });
+    return py::array_t<std::int32_t>(shape, data, capsule);
+}
+
 EqualDiagonals rule_of(bool lowest_node) {
     return lowest_node ? EqualDiagonals::lowest_node : EqualDiagonals::second_and_fourth;
 }
@@ -61,6 +75,7 @@ py::tuple hexahedra_to_tetrahedra(const DoubleArray &points, const IntArray &hex
     const std::size_t count = h.size() / 8;
     Array<Vec3> all;
     Array<std::int32_t> tetrahedra;
+    std::vector<FlippedFace> flipped;
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
@@ -76,25 +91,12 @@ py::tuple hexahedra_to_tetrahedra(const DoubleArray &points, const IntArray &hex
         all = Array<Vec3>(p.size() + count);
         std::copy(p.begin(), p.end(), all.begin());
         tetrahedra = Array<std::int32_t>(48 * count);
-        split_hexahedra(p, h, static_cast<std::int32_t>(p.size()),
-                        {tetrahedra.data(), tetrahedra.size()}, {all.data() + p.size(), count},
-                        listener);
+        flipped = split_hexahedra(p, h, static_cast<std::int32_t>(p.size()),
+                                  {tetrahedra.data(), tetrahedra.size()},
+                                  {all.data() + p.size(), count}, listener);
     }
-    return py::make_tuple(give_points(std::move(all)), give_cells(std::move(tetrahedra), 4));
-}
-
-// Moves rows of N numbers into an (M, N) array.
-template <std::size_t N>
-py::array_t<std::int32_t> give_rows(std::vector<std::array<std::int32_t, N>> &&rows) {
-    using Rows = std::vector<std::array<std::int32_t, N>>;
-    auto owner = std::make_unique<Rows>(std::move(rows));
-    const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(owner->size()),
-                                         static_cast<py::ssize_t>(N)};
-    auto *data = reinterpret_cast<std::int32_t *>(owner->data());
-    const py::capsule capsule(owner.release(), [](void *memory) {
-        const std::unique_ptr<Rows> end(static_cast<Rows *>(memory));
-    });
-    return py::array_t<std::int32_t>(shape, data, capsule);
+    return py::make_tuple(give_points(std::move(all)), give_cells(std::move(tetrahedra), 4),
+                          give_rows(std::move(flipped)));
 }
 
 // model: None or (nodes, divisions, spacing).
@@ -183,9 +185,11 @@ void bind_convert(py::module_ &module) {
     module.def("triangulation_parameters", &parameters, py::arg("points"), py::arg("quads"),
                py::arg("lowest_node") = false,
                "uint8 (M,): 1 where nodes 2 and 4 are joined, 0 where 1 and 3 are.");
-    module.def("hexahedra_to_tetrahedra", &hexahedra_to_tetrahedra, py::arg("points"),
-               py::arg("hexahedra"), py::arg("progress") = py::none(),
-               "(points with one centroid a hexahedron behind them, (12 M, 4) tetrahedra).");
+    module.def(
+        "hexahedra_to_tetrahedra", &hexahedra_to_tetrahedra, py::arg("points"),
+        py::arg("hexahedra"), py::arg("progress") = py::none(),
+        "(points with one centroid a hexahedron behind them, (12 M, 4) tetrahedra, corners (F, 4) "
+        "of faces that had to be split by the longer diagonal).");
     module.def("pair_triangles", &pairs, py::arg("points"), py::arg("triangles"), py::arg("labels"),
                py::arg("progress") = py::none(),
                "(quads (P, 4), their triangles (P, 2), triangles without a partner); labels: int32 "

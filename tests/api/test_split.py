@@ -2,6 +2,7 @@
 """Quads into triangles, hexahedra into twelve tetrahedra."""
 
 import collections
+import itertools
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freecad.NMGSWorkbench import nmgs
+from freecad.NMGSWorkbench.nmgs import convert
 
 TETRA_FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 
@@ -93,6 +95,50 @@ def test_centroid_of_a_warped_hexahedron_moves_inside():
             assert tetra.quality("volume")["tetra"].min() > 0
             assert at_mean.quality("volume")["tetra"].min() <= 0
     assert found > 0
+
+
+def trilinear_jacobian_is_positive(mesh: nmgs.Mesh) -> np.ndarray:
+    """Of each hexahedron, at 5^3 points; those near the limit may pass for valid."""
+    p = mesh.points[mesh.cells["hexahedron"]]
+    least = np.full(len(p), np.inf)
+    for at in itertools.product(np.linspace(-1, 1, 5), repeat=3):
+        f = 1 + CORNERS_3D * at
+        slope = [CORNERS_3D[:, d] * np.delete(f, d, axis=1).prod(axis=1) / 8 for d in range(3)]
+        least = np.minimum(least, np.linalg.det(np.einsum("dn,cnx->cdx", np.array(slope), p)))
+    return least > 0.02 * np.abs(mesh.quality("volume")["hexahedron"]) / 8
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_strongly_warped_valid_hexahedra_get_positive_tetrahedra(seed):
+    rng = np.random.default_rng(seed)
+    count = 3000
+    points = CORNERS_3D / 2 + rng.uniform(-0.4, 0.4, (count, 8, 3))
+    mesh = nmgs.Mesh(points.reshape(-1, 3), {"hexahedron": np.arange(8 * count).reshape(-1, 8)})
+    valid = trilinear_jacobian_is_positive(mesh)
+    assert valid.sum() > 100
+    volumes = mesh.split().quality("volume")["tetra"].reshape(-1, 12).min(axis=1)
+    assert (volumes[valid] > 0).all()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_warped_lattices_stay_conforming(seed):
+    """With hexahedra that need the longer diagonal, and quads on all outer faces."""
+    rng = np.random.default_rng(seed)
+    mesh = cube((4, 4, 4)).generate()
+    mesh.points += rng.uniform(-0.115, 0.115, mesh.points.shape)
+    mesh = renumbered(mesh, seed)
+    surface, numbers, _ = convert.boundary_with_parents(mesh)
+    mesh = nmgs.Mesh(
+        mesh.points,
+        {"hexahedron": mesh.cells["hexahedron"], "quad": numbers[surface.cells["quad"]]},
+    )
+    tetra = mesh.split()
+    assert_conforming(tetra, mesh)
+    uses = face_uses(tetra.cells["tetra"])
+    assert all(uses[tuple(t)] == 1 for t in np.sort(tetra.cells["triangle"], axis=1).tolist())
+    valid = trilinear_jacobian_is_positive(mesh)
+    volumes = tetra.quality("volume")["tetra"].reshape(-1, 12).min(axis=1)
+    assert (volumes[valid] > 0).mean() > 0.9
 
 
 def diagonals(triangles: np.ndarray) -> list:

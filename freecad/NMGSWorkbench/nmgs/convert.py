@@ -35,6 +35,14 @@ def _children(indices: np.ndarray, each: int, base: int) -> np.ndarray:
     )
 
 
+def _flip(quads: np.ndarray, pairs: np.ndarray, chosen: np.ndarray) -> None:
+    """Gives the pairs of triangles of the chosen quads the other diagonal, in place."""
+    a, b, c, d = quads[chosen].T
+    joined = pairs[chosen, 2] == d
+    pairs[chosen, 2] = np.where(joined, c, d)
+    pairs[chosen, 5] = np.where(joined, a, b)
+
+
 def split(mesh: Mesh, progress: Progress = None) -> Mesh:
     """Quads to two triangles, hexahedra to twelve tetrahedra; see Mesh.split."""
     _refuse(mesh, set(_QUADRATIC.values()), "split the linear mesh, then raise its order")
@@ -43,14 +51,20 @@ def split(mesh: Mesh, progress: Progress = None) -> Mesh:
     points = mesh.points
     cells = {k: v for k, v in mesh.cells.items() if k not in ("quad", "hexahedron")}
     bases: Dict[str, Tuple[str, int, int]] = {}
+    flipped = np.zeros((0, 4), dtype=np.int32)
     if "hexahedron" in mesh.cells:
-        points, new = kernel.hexahedra_to_tetrahedra(points, mesh.cells["hexahedron"], progress)
+        points, new, flipped = kernel.hexahedra_to_tetrahedra(
+            points, mesh.cells["hexahedron"], progress
+        )
         old = cells.get("tetra")
         bases["hexahedron"] = ("tetra", 12, 0 if old is None else len(old))
         cells["tetra"] = new if old is None else np.concatenate([old, new])
     if "quad" in mesh.cells:
         solid = any(CELL_TYPES[name][1] == 3 for name in mesh.cells)
         new = kernel.quads_to_triangles(mesh.points, mesh.cells["quad"], solid, progress)
+        if len(flipped):
+            quads = mesh.cells["quad"]
+            _flip(quads, new.reshape(-1, 6), np.isin(_keys(quads), _keys(flipped)))
         old = cells.get("triangle")
         bases["quad"] = ("triangle", 2, 0 if old is None else len(old))
         cells["triangle"] = new if old is None else np.concatenate([old, new])
