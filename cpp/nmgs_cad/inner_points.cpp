@@ -93,7 +93,8 @@ std::optional<Vec3> point_beside(const Rays &rays, Numbers from, const Numbers &
         if (norm(n) == 0) {
             continue;
         }
-        const Vec3 middle = (1.0 / 3) * (a + b + c);
+        // Off the centroid: in a regular shape its normal meets a corner or an edge.
+        const Vec3 middle = 0.41 * a + 0.34 * b + 0.25 * c;
         for (const double sign : {-1.0, 1.0}) {
             const Vec3 direction = (sign / norm(n)) * n;
             double next = std::numeric_limits<double>::infinity();

@@ -272,9 +272,7 @@ private:
                         continue;
                     }
                     place = at(a, {xi, eta, zeta});
-                    Box point;
-                    point.add(place);
-                    if (!boxes_[b].near(point, topology_.tolerance)) {
+                    if (!boxes_[b].near(place, topology_.tolerance)) {
                         continue;
                     }
                     if (model_.dimension == 3) {

@@ -134,9 +134,7 @@ bool touches(const Part &a, const Part &b, double limit) {
                 continue;
             }
             const Vec3 p = map(a, u, v);
-            Box place;
-            place.add(p);
-            if (!b.box.near(place, limit)) {
+            if (!b.box.near(p, limit)) {
                 continue;
             }
             const Foot foot = foot_on(b, p);

@@ -78,8 +78,7 @@ Coincidences find_coincident_nodes(const BlockModel &model, const Topology &topo
     parallel_for(entities.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e) {
             for (const std::int32_t node : entities[e].nodes) {
-                Box place;
-                place.add(points[static_cast<std::size_t>(node)]);
+                const Vec3 place = points[static_cast<std::size_t>(node)];
                 if (std::any_of(near[e].begin(), near[e].end(), [&](std::size_t other) {
                         return boxes[other].near(place, tolerance);
                     })) {

@@ -14,6 +14,8 @@ from .plc import PLC
 
 #: Deviation of the triangles from the faces, as a share of the shape's diagonal.
 DEVIATION = 1e-3
+#: Faults of a triangulation that are mended at once.
+MENDED = ("duplicate_point", "duplicate_facet", "degenerate_facet")
 #: Largest angle between neighbouring triangles, in radians.
 ANGLE = 0.5
 
@@ -31,8 +33,8 @@ def plc_of_shape(
     if not 0 <= deviation < float("inf"):
         raise ValueError(f"deviation: expected 0 or more, got {deviation!r}")
     shape = _kernel.cad().CadShape(brep_bytes(as_shape(source)))
-    if not shape.faces:
-        raise GeometryError("shape: it has no faces")
+    if not shape.solids:
+        raise GeometryError("shape: it has no solid for TetGen to fill")
     wanted = deviation or DEVIATION * shape.diagonal
     raw = _kernel.cad().tessellate(shape, wanted, ANGLE, progress)
     numbers = np.arange(1, shape.solids + 1, dtype=np.float64)
@@ -45,5 +47,8 @@ def plc_of_shape(
         groups={f"Face{n}": [n] for n in range(1, shape.faces + 1)},
         region_groups={f"Solid{n}": [float(n)] for n in range(1, shape.solids + 1)},
     )
+    # Solids that touch without sharing a face, and slivers of the triangulation.
+    if any(p.fault in MENDED for p in plc.check(limit=1)):
+        plc = plc.mend()
     plc.cad = shape  # type: ignore[attr-defined]
     return plc
