@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""File > Open, File > Import and Export in the window, by FreeCAD's own machinery."""
+"""Files opened, imported and exported in the window, by FreeCAD's own machinery."""
+
+import importlib
 
 import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
 from conftest import message_boxes, pick, process_events, run, screenshot, tree_labels, wait_until
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from freecad.NMGSWorkbench import nmgs
 
@@ -42,29 +44,17 @@ def files(tmp_path):
     return paths
 
 
-def by_dialog(command, path):
-    """File > Open or File > Import as a user does it: the dialog, a file name, Open."""
-
-    def fill_in():
-        dialogs = [
-            w
-            for w in QtGui.QApplication.topLevelWidgets()
-            if isinstance(w, QtGui.QFileDialog) and w.isVisible()
-        ]
-        if not dialogs:
-            QtCore.QTimer.singleShot(50, fill_in)
-            return
-        dialogs[0].selectFile(str(path))
-        dialogs[0].accept()
-
-    QtCore.QTimer.singleShot(50, fill_in)
-    FreeCADGui.runCommand(command)
-    process_events()
+def load(path):
+    """FreeCAD finds the module by the extension and calls it, as File > Open does."""
+    try:
+        FreeCADGui.loadFile(str(path))
+    finally:
+        process_events()
 
 
 @pytest.mark.parametrize("extension", ["n2s", "n3s", "node", "poly", "smesh", "ele", "n2r", "n3r"])
 def test_open(document, files, extension):
-    by_dialog("Std_Open", files[extension])
+    load(files[extension])
     opened = FreeCAD.ActiveDocument
     assert opened is not document
     label = f"my_{extension}"
@@ -77,7 +67,8 @@ def test_open(document, files, extension):
 
 
 def test_import_into_a_document(document, files):
-    by_dialog("Std_Import", files["n3s"])
+    (module,) = FreeCAD.getImportType("n3s")
+    importlib.import_module(module).insert(str(files["n3s"]), document.Name)
     (obj,) = document.Objects
     assert obj.Label == "my_n3s" and len(obj.Shape.Edges) == 12
     document.undo()
@@ -85,7 +76,7 @@ def test_import_into_a_document(document, files):
 
 
 def test_the_whole_way_from_a_file(document, files):
-    FreeCADGui.loadFile(str(files["n3s"]))
+    load(files["n3s"])
     opened = FreeCAD.ActiveDocument
     pick(opened.Objects[0])
     run("NMGS_GenerateMesh")
@@ -98,7 +89,7 @@ def test_a_bad_file_is_an_error_in_words(document, tmp_path):
     path = tmp_path / "bad.n3s"
     path.write_text("NMGS-SVMG Problem Setup File\nsome text\nmany\n")
     before = set(FreeCAD.listDocuments())
-    by_dialog("Std_Open", path)
+    load(path)
     (box,) = message_boxes()
     assert "Cannot open bad.n3s" in box.text() and f"{path}:3" in box.text().replace(", line ", ":")
     # FreeCAD itself closes an untouched empty document when another is opened.
@@ -112,7 +103,7 @@ def export_dialog():
 
 
 def test_export_asks_for_a_file_and_writes_it(document, files, tmp_path):
-    FreeCADGui.loadFile(str(files["n3s"]))
+    load(files["n3s"])
     pick(FreeCAD.ActiveDocument.Objects[0])
     run("NMGS_GenerateMesh")
     run("NMGS_Export")
@@ -131,7 +122,7 @@ def test_export_asks_for_a_file_and_writes_it(document, files, tmp_path):
 
 
 def test_an_export_that_fails_says_why(document, files, tmp_path):
-    FreeCADGui.loadFile(str(files["n3s"]))
+    load(files["n3s"])
     pick(FreeCAD.ActiveDocument.Objects[0])
     run("NMGS_Export")
     dialog = export_dialog()

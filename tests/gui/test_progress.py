@@ -10,7 +10,8 @@ from conftest import content, message_boxes, pick, run, screenshot
 from PySide import QtCore, QtGui
 
 from freecad.NMGSWorkbench import nmgs
-from freecad.NMGSWorkbench.objects import plc, tetgen_mesh
+from freecad.NMGSWorkbench.commands import tetgen_mesh
+from freecad.NMGSWorkbench.objects import plc
 from freecad.NMGSWorkbench.objects.run import run as run_job
 from freecad.NMGSWorkbench.taskpanels import progress
 
@@ -131,14 +132,7 @@ def test_cancelled_tetgen_leaves_everything_as_it_was(document, when_shown):
 
 
 def test_a_cancelled_command_adds_nothing(document, when_shown, monkeypatch):
-    monkeypatch.setattr(
-        tetgen_mesh.TetGenMesh,
-        "properties",
-        [
-            (*row[:4], "pqa0.00000001", row[5]) if row[1] == "Switches" else row
-            for row in tetgen_mesh.TetGenMesh.properties
-        ],
-    )
+    monkeypatch.setattr(tetgen_mesh, "suggested_switches", lambda source: "pqa0.00000001")
     source = plc.make(document, nmgs.PLC(CUBE, SIDES))
     pick(source)
     when_shown(press_cancel)
