@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """clang-tidy over the units of build/release, each again only when it or a header of it changed.
 
-A unit that was clean leaves build/tidy/KEY, KEY being the hash of its command, of the settings and of
-all of the project's files that it includes. Exit code 1 when any unit is not clean.
+A unit that was clean leaves build/tidy/KEY, KEY being the hash of its command, of the settings and
+of all of the project's files that it includes. Exit code 1 when any unit is not clean.
 """
 
 import concurrent.futures
