@@ -70,18 +70,19 @@ TEST(HexaToTetra, NeighboursAgreeForEveryNumbering) {
         // Nodes of a 2 x 1 x 1 lattice: x + 3 y + 6 z.
         std::vector<Vec3> points(12);
         for (int i = 0; i < 12; ++i) {
-            points[static_cast<std::size_t>(number[static_cast<std::size_t>(i)])] = {
-                static_cast<double>(i % 3), static_cast<double>(i / 3 % 2),
-                static_cast<double>(i / 6)};
+            const Vec3 place{static_cast<double>(i % 3), i / 3 % 2 == 0 ? 0.0 : 1.0,
+                             i < 6 ? 0.0 : 1.0};
+            points[static_cast<std::size_t>(number[static_cast<std::size_t>(i)])] = place;
         }
         std::vector<std::int32_t> hexahedra;
         for (const int x : {0, 1}) {
             // Four of the 24 rotations: about zeta.
             const std::array<int, 4> ring{x, x + 1, x + 4, x + 3};
-            const auto turn = static_cast<std::size_t>(random() % 4);
+            const std::size_t turn = random() % 4;
             for (const int z : {0, 6}) {
                 for (std::size_t i = 0; i < 4; ++i) {
-                    hexahedra.push_back(number[static_cast<std::size_t>(ring[(i + turn) % 4] + z)]);
+                    const int node = ring[(i + turn) % 4] + z;
+                    hexahedra.push_back(number[static_cast<std::size_t>(node)]);
                 }
             }
         }

@@ -3,10 +3,10 @@
 
 #include "nmgs/convert/matching.h"
 #include "nmgs/mesh/edges.h"
-#include "nmgs/quality/surface_metrics.h"
 #include "nmgs/support/error.h"
 #include "nmgs/support/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,6 +22,19 @@ struct Sides {
 // Corners of the quad round the edge e of triangle t, whose other side ends in `opposite`.
 std::array<std::int32_t, 4> quad_over(const std::int32_t *t, std::size_t e, std::int32_t opposite) {
     return {t[(e + 2) % 3], t[e], opposite, t[(e + 1) % 3]};
+}
+
+// Verdict's scaled Jacobian: least over the corners of the sine of the angle, signed by the normal.
+double scaled_jacobian(const std::array<Vec3, 4> &p) {
+    const Vec3 mean = cross(p[2] - p[0], p[3] - p[1]);
+    double least = 1;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 ahead = p[(i + 1) % 4] - p[i];
+        const Vec3 back = p[(i + 3) % 4] - p[i];
+        const double lengths = norm(ahead) * norm(back) * norm(mean);
+        least = std::min(least, lengths > 0 ? dot(mean, cross(ahead, back)) / lengths : 0);
+    }
+    return least;
 }
 
 Vec3 normal(std::span<const Vec3> points, const std::int32_t *t) {
@@ -75,7 +88,7 @@ PairedTriangles pair_triangles(std::span<const Vec3> points,
         for (std::size_t i = 0; i < 4; ++i) {
             p[i] = points[static_cast<std::size_t>(quad[i])];
         }
-        const double quality = quad::scaled_jacobian(p.data());
+        const double quality = scaled_jacobian(p);
         if (quality > 1e-3) {
             pairs.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
                              base + std::llround(steps * quality)});
