@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "arrays.h"
 #include "block_model.h"
+#include "cad_tessellate.h"
 #include "errors.h"
 #include "mesh.h"
 
-#include "nmgs_cad/facets.h"
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/mapped.h"
 #include "nmgs_cad/refine.h"
@@ -92,34 +92,6 @@ py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const In
     return give_mesh(std::move(mesh));
 }
 
-py::array_t<double> point_array(const std::vector<Vec3> &points) {
-    Array<Vec3> copy(points.size());
-    std::copy(points.begin(), points.end(), copy.begin());
-    return give_points(std::move(copy));
-}
-
-// {points, triangles, faces, solid_points, hole_points}; see nmgs_cad/facets.h.
-py::dict facets(const CadShape &shape, double deviation) {
-    cad::Facets facets;
-    {
-        const py::gil_scoped_release release;
-        facets = cad::make_facets(shape, deviation);
-    }
-    Array<std::int32_t> nodes(3 * facets.triangles.size());
-    std::int32_t *out = nodes.data();
-    for (const auto &triangle : facets.triangles) {
-        out = std::copy(triangle.begin(), triangle.end(), out);
-    }
-    const auto count = static_cast<py::ssize_t>(facets.face.size());
-    py::dict result;
-    result["points"] = point_array(facets.points);
-    result["triangles"] = give_cells(std::move(nodes), 3);
-    result["faces"] = give<std::int32_t>(std::move(facets.face), {count});
-    result["solid_points"] = point_array(facets.solid_points);
-    result["hole_points"] = point_array(facets.hole_points);
-    return result;
-}
-
 } // namespace
 } // namespace nmgs::bindings
 
@@ -146,5 +118,5 @@ PYBIND11_MODULE(cad, module) {
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none());
-    module.def("facets", &facets, py::arg("shape"), py::arg("deviation"));
+    bind_tessellate(module);
 }

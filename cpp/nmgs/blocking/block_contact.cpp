@@ -4,8 +4,8 @@
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/inverse_map.h"
 #include "nmgs/element/quad8.h"
-#include "nmgs/mesh/near_boxes.h"
 #include "nmgs/mesh/point_hash.h"
+#include "nmgs/support/near_boxes.h"
 #include "nmgs/support/parallel.h"
 
 #include <algorithm>

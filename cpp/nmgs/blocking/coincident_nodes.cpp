@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/blocking/coincident_nodes.h"
 
-#include "nmgs/mesh/near_boxes.h"
 #include "nmgs/mesh/point_hash.h"
+#include "nmgs/support/near_boxes.h"
 #include "nmgs/support/parallel.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace nmgs {
 namespace {
@@ -106,6 +107,16 @@ std::vector<PlcProblem> check(const Plc &plc, const CheckOptions &options,
     poll(progress, 0.4);
     auto surface = surface_problems(welded, tree, options.limit);
     auto crossing = crossings(welded, tree, options.limit, progress);
+    // Which of two surfaces that cross is inside the other has no answer.
+    std::set<std::int32_t> cut;
+    for (const PlcProblem &problem : crossing) {
+        cut.insert(problem.facets.begin(), problem.facets.end());
+    }
+    std::erase_if(surface, [&](const PlcProblem &problem) {
+        return problem.fault == PlcFault::inside_out &&
+               std::any_of(problem.facets.begin(), problem.facets.end(),
+                           [&](std::int32_t facet) { return cut.contains(facet); });
+    });
     for (auto *list : {&crossing, &surface}) {
         problems.insert(problems.end(), std::make_move_iterator(list->begin()),
                         std::make_move_iterator(list->end()));

@@ -166,9 +166,11 @@ std::vector<PlcProblem> crossings(const Welded &welded, const BoxTree &tree, std
                     if (welded.degenerate(facet) || belongs(welded, edge, facet)) {
                         return;
                     }
-                    if (const auto place = EdgeAgainstFacet(welded, edge, facet).meeting()) {
-                        found.push_back({welded.sides[edge.first].facet,
-                                         static_cast<std::int32_t>(facet), *place});
+                    const auto place = EdgeAgainstFacet(welded, edge, facet).meeting();
+                    // All facets at the edge meet the other one there.
+                    for (std::uint32_t s = edge.first; place && s < edge.last; ++s) {
+                        found.push_back(
+                            {welded.sides[s].facet, static_cast<std::int32_t>(facet), *place});
                     }
                 });
             }

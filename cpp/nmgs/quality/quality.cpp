@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/quality/quality.h"
 
+#include "nmgs/quality/curved_metrics.h"
 #include "nmgs/quality/surface_metrics.h"
 #include "nmgs/quality/volume_metrics.h"
 #include "nmgs/support/error.h"
@@ -169,30 +170,66 @@ OfCell linear_metric(CellType type, Metric metric) {
     }
 }
 
+template <CellType type>
+OfCell curved_metric(Metric metric) {
+    switch (metric) {
+    case Metric::scaled_jacobian:
+        return [](const Vec3 *p) { return curved::scaled_jacobian(type, p); };
+    case Metric::min_jacobian:
+        return [](const Vec3 *p) { return curved::min_jacobian(type, p); };
+    case Metric::jacobian_ratio:
+        return [](const Vec3 *p) { return curved::jacobian_ratio(type, p); };
+    case Metric::area:
+        return dimension(type) == 2 ? [](const Vec3 *p) { return curved::area(type, p); }
+                                    : OfCell();
+    case Metric::volume:
+        return dimension(type) == 3 ? [](const Vec3 *p) { return curved::volume(type, p); }
+                                    : OfCell();
+    default:
+        return linear_metric(type, metric);
+    }
+}
+
+OfCell metric_for(CellType type, Metric metric) {
+    switch (type) {
+    case CellType::line3:
+        return metric == Metric::length ? curved::length : nullptr;
+    case CellType::triangle6:
+        return curved_metric<CellType::triangle6>(metric);
+    case CellType::quad8:
+        return curved_metric<CellType::quad8>(metric);
+    case CellType::tetra10:
+        return curved_metric<CellType::tetra10>(metric);
+    case CellType::hexahedron20:
+        return curved_metric<CellType::hexahedron20>(metric);
+    default:
+        return linear_metric(type, metric);
+    }
+}
+
 } // namespace
 
 bool has_metric(CellType type, Metric metric) {
-    return linear_metric(type, metric) != nullptr;
+    return metric_for(type, metric) != nullptr;
 }
 
 Array<double> quality(std::span<const Vec3> points, const CellView &cells, Metric metric,
                       const Progress &progress) {
     check_nodes({&cells, 1}, points.size());
-    const OfCell of_cell = linear_metric(cells.type, metric);
+    const OfCell of_cell = metric_for(cells.type, metric);
     if (of_cell == nullptr) {
         throw ArgumentError(
             "metric: " + std::string(metrics()[static_cast<std::size_t>(metric)].name) +
             " is not defined for cells of type " + std::string(name(cells.type)));
     }
     const auto k = static_cast<std::size_t>(node_count(cells.type));
-    const auto corners = static_cast<std::size_t>(corner_count(cells.type));
     Array<double> values(cells.size());
     parallel_for(
-        cells.size(), 1 << 12,
+        cells.size(), is_quadratic(cells.type) ? 64 : 1 << 12,
         [&](std::size_t first, std::size_t last) {
-            std::array<Vec3, 8> p{};
+            std::array<Vec3, 20> p{};
             for (std::size_t c = first; c < last; ++c) {
-                for (std::size_t i = 0; i < corners; ++i) {
+                for (std::size_t i = 0; i < k; ++i) {
                     p[i] = points[static_cast<std::size_t>(cells.nodes[c * k + i])];
                 }
                 values[c] = of_cell(p.data());

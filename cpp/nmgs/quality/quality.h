@@ -16,9 +16,9 @@ namespace nmgs {
 bool has_metric(CellType type, Metric metric);
 
 // One value a cell. Of quadratic cells, scaled_jacobian, min_jacobian, jacobian_ratio, length, area
-// and volume are those of the curved cell, the others those of the linear cell with its corners.
-// Raises ArgumentError when the metric is not defined for the type, or a node is not in
-// [0, points.size()).
+// and volume are those of the curved cell (see curved_metrics.h), the others those of the linear
+// cell with its corners; of pyramid13 and wedge15 all are the linear cell's. Raises ArgumentError
+// when the metric is not defined for the type, or a node is not in [0, points.size()).
 Array<double> quality(std::span<const Vec3> points, const CellView &cells, Metric metric,
                       const Progress &progress = {});
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The PLC of a CAD shape, for TetGen."""
+"""A PLC of CAD: the triangulated faces of a shape, its solids as regions, its cavities as holes."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Callable, Optional
 
 import numpy as np
 
@@ -12,35 +12,43 @@ from .cad import as_shape, brep_bytes
 from .errors import GeometryError
 from .plc import PLC
 
+#: Deviation of the triangles from the faces, as a share of the shape's diagonal.
+DEVIATION = 1e-3
+#: Faults of a triangulation that are mended at once.
+MENDED = ("duplicate_point", "duplicate_facet", "degenerate_facet")
+#: Largest angle between neighbouring triangles, in radians.
+ANGLE = 0.5
 
-def plc_of_shape(shape: Any, deviation: float = 0.0) -> PLC:
-    """Triangles of a Part.Shape's faces, with shared nodes; groups FaceN and, by region, SolidN.
 
-    deviation: how far a triangle may be from its face; 0 for a thousandth of the shape's diagonal.
-    Faces between solids are kept; a cavity that nothing fills is a hole. Raises GeometryError when
-    the shape has no solid or is not valid, ValueError.
+def plc_of_shape(
+    source: Any, deviation: float = 0.0, progress: Optional[Callable[[float], Any]] = None
+) -> PLC:
+    """Facets of the faces, with n of FaceN as marker; a region with attribute n inside SolidN.
+
+    source: a Part.Shape, a list of them, or a document object. A face between two solids is there
+    once. deviation: largest distance of a facet from its face; 0 for a thousandth of the diagonal.
+    The PLC's cad is the kernel's shape. Raises GeometryError that names faces or solids, TypeError,
+    ValueError, Cancelled.
     """
-    if not deviation >= 0:
+    if not 0 <= deviation < float("inf"):
         raise ValueError(f"deviation: expected 0 or more, got {deviation!r}")
-    part = as_shape(shape)
-    if not part.Solids:
+    shape = _kernel.cad().CadShape(brep_bytes(as_shape(source)))
+    if not shape.solids:
         raise GeometryError("shape: it has no solid for TetGen to fill")
-    bad = [f"Solid{n}" for n, solid in enumerate(part.Solids, 1) if not solid.isValid()]
-    if bad:
-        raise GeometryError(f"shape: {', '.join(bad)} is not valid geometry", bad)
-    kernel = _kernel.cad()
-    cad_shape = kernel.CadShape(brep_bytes(part))
-    raw = kernel.facets(cad_shape, deviation or 1e-3 * cad_shape.diagonal)
-    count = len(raw["solid_points"])
-    regions = np.hstack(
-        [raw["solid_points"], np.arange(1.0, count + 1)[:, None], np.full((count, 1), -1.0)]
-    )
-    return PLC(
+    wanted = deviation or DEVIATION * shape.diagonal
+    raw = _kernel.cad().tessellate(shape, wanted, ANGLE, progress)
+    numbers = np.arange(1, shape.solids + 1, dtype=np.float64)
+    plc = PLC(
         raw["points"],
         raw["triangles"],
-        raw["hole_points"],
-        regions,
+        holes=raw["void_points"],
+        regions=np.column_stack([raw["solid_points"], numbers]) if len(numbers) else (),
         markers=raw["faces"],
-        groups={f"Face{n}": [int(n)] for n in np.unique(raw["faces"])},
-        region_groups={f"Solid{n}": [float(n)] for n in range(1, count + 1)},
+        groups={f"Face{n}": [n] for n in range(1, shape.faces + 1)},
+        region_groups={f"Solid{n}": [float(n)] for n in range(1, shape.solids + 1)},
     )
+    # Solids that touch without sharing a face, and slivers of the triangulation.
+    if any(p.fault in MENDED for p in plc.check(limit=1)):
+        plc = plc.mend()
+    plc.cad = shape  # type: ignore[attr-defined]
+    return plc

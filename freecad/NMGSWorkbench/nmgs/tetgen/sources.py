@@ -22,7 +22,7 @@ TETRA = ("tetra", "tetra10")
 TO_TETGEN = [0, 1, 2, 3, 9, 7, 4, 5, 8, 6]
 
 
-def to_source(source: Any, surface: bool, deviation: float = 0.0) -> Any:
+def to_source(source: Any, surface: bool, deviation: float = 0.0, progress: Any = None) -> Any:
     """The source as a PLC, a Mesh with tetrahedra, or (N, 3) points.
 
     surface: a PLC is wanted; a BlockModel then gives the surface of its mesh, else its nodes.
@@ -30,7 +30,7 @@ def to_source(source: Any, surface: bool, deviation: float = 0.0) -> Any:
     Raises TypeError, ValueError, GeometryError, FormatError.
     """
     if isinstance(source, (str, os.PathLike)):
-        return to_source(_read(os.fspath(source), surface), surface, deviation)
+        return to_source(_read(os.fspath(source), surface), surface, deviation, progress)
     if isinstance(source, PLC):
         return source
     if isinstance(source, Mesh):
@@ -39,14 +39,15 @@ def to_source(source: Any, surface: bool, deviation: float = 0.0) -> Any:
         return _of_blocks(source, surface)
     for attribute in ("Shape", "Mesh"):  # a document object
         if hasattr(source, attribute) and hasattr(source, "TypeId"):
-            return to_source(getattr(source, attribute), surface, deviation)
+            return to_source(getattr(source, attribute), surface, deviation, progress)
     if hasattr(source, "Topology") and hasattr(source, "CountFacets"):
         points, facets = source.Topology
         return PLC([tuple(p) for p in points], np.array(facets, np.int32).reshape(-1, 3))
-    if hasattr(source, "exportBrepToString"):
+    shapes = source if isinstance(source, (list, tuple)) and len(source) else [source]
+    if all(hasattr(item, "exportBrepToString") or hasattr(item, "Shape") for item in shapes):
         from ..cad_plc import plc_of_shape
 
-        return plc_of_shape(source, deviation)
+        return plc_of_shape(source, deviation, progress)
     return _points(source)
 
 

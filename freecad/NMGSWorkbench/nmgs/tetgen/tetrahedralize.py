@@ -51,7 +51,7 @@ def tetrahedralize(
         raise ValueError(f"timeout: expected more than 0 seconds, got {timeout!r}")
     if memory_limit < 0:
         raise ValueError(f"memory_limit: expected 0 or more bytes, got {memory_limit!r}")
-    thing = to_source(source, _needs_facets(options), deviation)
+    thing = to_source(source, _needs_facets(options), deviation, progress)
     arrays = request_of(thing)
     arrays.update(extra_arrays(arrays, options, sizes, volumes, added_points, background))
     if isinstance(thing, PLC) and thing.region_groups and options.plc:

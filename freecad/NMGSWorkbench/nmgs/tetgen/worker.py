@@ -51,6 +51,7 @@ class _Conversation:
         self.text = ""
         self.version = ""
         self.lines: List[str] = []
+        self._told = 0
         self.out_of_memory = False
         self.finished = threading.Event()
 
@@ -95,6 +96,12 @@ class _Conversation:
                 self.lines.append(text)
                 self._hear(text)
 
+    def tell(self, log: Optional[Callable[[str], Any]]) -> None:
+        """The lines that the caller has not heard yet."""
+        while log is not None and self._told < len(self.lines):
+            self._told += 1
+            log(self.lines[self._told - 1])
+
 
 def _watch(
     talk: _Conversation,
@@ -105,12 +112,9 @@ def _watch(
 ) -> bool:
     """Waits for the answer; True when the time ran out. Raises Cancelled."""
     end = None if timeout is None else time.monotonic() + timeout
-    told = 0
     while True:
         over = talk.finished.wait(INTERVAL)
-        while log is not None and told < len(talk.lines):
-            told += 1
-            log(talk.lines[told - 1])
+        talk.tell(log)
         if progress is not None and progress(phases.fraction) is False:
             raise Cancelled("cancelled")
         if over:
@@ -164,6 +168,7 @@ def run(
             thread.join()
         process.stdin.close()
         process.stdout.close()
+    talk.tell(log)
     if talk.out_of_memory:
         raise MemoryError("not enough memory for TetGen's mesh")
     return Outcome(
