@@ -216,6 +216,7 @@ std::vector<Contact> find_bad_contacts(const BlockModel &model, const Topology &
         }
     }
     std::vector<Box> boxes;
+    boxes.reserve(parts.size());
     for (const Part &part : parts) {
         boxes.push_back(part.box);
     }

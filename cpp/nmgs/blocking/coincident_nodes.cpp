@@ -63,6 +63,7 @@ Coincidences find_coincident_nodes(const BlockModel &model, const Topology &topo
         }
     });
     std::vector<Box> boxes;
+    boxes.reserve(entities.size());
     for (const Entity &entity : entities) {
         boxes.push_back(entity.box);
     }

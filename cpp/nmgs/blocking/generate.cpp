@@ -289,7 +289,12 @@ Mesh generate(const BlockModel &model, const GenerateOptions &options, const Pro
                             std::to_string(24 * lattice.node_count() + 4 * corners * cells) +
                             " bytes); node numbers end at 2147483647");
     }
-    require_memory(24 * lattice.node_count() + 4 * corners * cells, "divisions: the mesh");
+    std::int64_t planes = 0; // of lattices, with up to 32 bytes each while meshing
+    for (const auto &g : model.divisions) {
+        planes += std::int64_t{g[0]} + g[1] + g[2];
+    }
+    require_memory(24 * lattice.node_count() + 4 * corners * cells + 32 * planes,
+                   "divisions: the mesh");
 
     Mesh mesh;
     mesh.points = Array<Vec3>(static_cast<std::size_t>(lattice.node_count()));
