@@ -3,6 +3,7 @@
 #include "plc.h"
 
 #include "nmgs/formats/gid.h"
+#include "nmgs/formats/medit.h"
 #include "nmgs/formats/off.h"
 #include "nmgs/formats/stl.h"
 #include "nmgs/formats/tetgen_cells.h"
@@ -110,6 +111,21 @@ void save_gid(const std::string &path, const DoubleArray &points, const IntArray
     write_gid(path, mesh);
 }
 
+// (points, [(cell name, nodes (M, k), references (M))]).
+py::tuple medit_file(const std::string &path) {
+    MeditMesh mesh = without_gil([&] { return read_medit(path); });
+    Array<Vec3> points(mesh.points.size());
+    std::copy(mesh.points.begin(), mesh.points.end(), points.begin());
+    py::list blocks;
+    for (MeditCells &cells : mesh.cells) {
+        const auto rows = static_cast<py::ssize_t>(cells.references.size());
+        blocks.append(py::make_tuple(std::string(name(cells.type)),
+                                     give(std::move(cells.nodes), {rows, node_count(cells.type)}),
+                                     give(std::move(cells.references), {rows})));
+    }
+    return py::make_tuple(give_points(std::move(points)), blocks);
+}
+
 CheckOptions options_of(const py::object &tolerance, double planarity, std::size_t limit,
                         bool equal_points) {
     return {tolerance.is_none() ? -1.0 : tolerance.cast<double>(), planarity, limit, equal_points};
@@ -191,6 +207,8 @@ void bind_plc(py::module_ &module) {
     module.def("write_cells", &save_cells, path, py::arg("list"), py::arg("nodes"),
                py::arg("attributes") = py::none(), py::arg("markers") = py::none(),
                py::arg("first") = 1, "Rows of an .ele, .face, .edge or .neigh.");
+    module.def("read_medit", &medit_file, path,
+               "(points (N, 3), [(cell name, nodes (M, k), references (M))]) of a .mesh file.");
     module.def("check_plc", &problems_of, source, py::arg("tolerance") = py::none(),
                py::arg("planarity") = 1e-6, py::arg("limit") = 1000,
                py::arg("equal_points") = false, py::arg("progress") = py::none(),

@@ -67,9 +67,9 @@ struct Reading {
 
     Vec3 place(const char *what) {
         reader.integer("a number in a list", -most, most);
-        const double x = reader.real(what);
-        const double y = reader.real(what);
-        return {x, y, reader.real(what)};
+        const double x = reader.real(reader.word_on_line(), what);
+        const double y = reader.real(reader.word_on_line(), what);
+        return {x, y, reader.real(reader.word_on_line(), what)};
     }
 
     void holes() {

@@ -27,9 +27,9 @@ FORMATS: Dict[str, Tuple[str, str, str]] = {
     "ele.gid": ("tetgen_files", "read_ele_gid", "write_ele_gid"),
     "off": ("surface_files", "read_off", "write_off"),
     "stl": ("surface_files", "read_stl", "write_stl"),
-    "ply": ("surface_files", "read_mesh", ""),
-    "mesh": ("surface_files", "read_mesh", ""),
-    "obj": ("surface_files", "read_mesh", ""),
+    "ply": ("surface_files", "read_surface", ""),
+    "mesh": ("surface_files", "read_medit", ""),
+    "obj": ("surface_files", "read_surface", ""),
 }
 
 

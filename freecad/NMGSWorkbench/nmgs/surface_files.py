@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Surfaces: .off and .stl by the kernel; .ply, .mesh (Medit), .obj by meshio."""
+"""Surfaces: .off, .stl and Medit's .mesh by the kernel; .ply and .obj by meshio."""
 
 from __future__ import annotations
 
 import os
-from typing import Any, List, Optional
+from typing import Any, Dict, List
 
 import numpy as np
 
@@ -29,30 +29,32 @@ def plc_of_file(path: str) -> PLC:
         return PLC.of_arrays(_kernel.core().read_off(path))
     if extension == "stl":
         return PLC.of_arrays(_kernel.core().read_stl(path))
+    if extension == "mesh":
+        points, blocks = _kernel.core().read_medit(path)
+        return _plc_of_blocks(path, points, blocks)
     raw = _meshio(path)
-    faces = [np.asarray(b.data) for b in raw.cells if b.type in ("triangle", "quad", "polygon")]
+    blocks = [(block.type, np.asarray(block.data), None) for block in raw.cells]
+    return _plc_of_blocks(path, _three(raw.points), blocks)
+
+
+def _plc_of_blocks(path: str, points: np.ndarray, blocks: Any) -> PLC:
+    """Faces of blocks (cell name, nodes, markers or None) in their order."""
+    faces = [nodes for kind, nodes, _ in blocks if kind in ("triangle", "quad", "polygon")]
     if not faces:
         raise FormatError(
             f"{path}: expected a surface, found no triangles, quads or polygons", path
         )
     sizes = np.concatenate([np.full(len(f), f.shape[1], np.int64) for f in faces])
-    markers = _medit_markers(raw)
+    numbers = [m for kind, _, m in blocks if kind in ("triangle", "quad") and m is not None]
+    markers = np.concatenate(numbers) if numbers else None
     arrays = {
-        "points": _three(raw.points),
+        "points": points,
         "polygon_nodes": np.concatenate([f.reshape(-1) for f in faces]).astype(np.int32),
         "polygon_offsets": np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64),
         "facet_offsets": np.arange(len(sizes) + 1, dtype=np.int64),
         "markers": markers if markers is not None and len(markers) == len(sizes) else None,
     }
     return PLC.of_arrays(arrays)
-
-
-def _medit_markers(raw: Any) -> Optional[np.ndarray]:
-    parts: List[np.ndarray] = []
-    for block, data in zip(raw.cells, raw.cell_data.get("medit:ref", [])):
-        if block.type in ("triangle", "quad"):
-            parts.append(np.asarray(data))
-    return np.concatenate(parts).astype(np.int32) if parts else None
 
 
 def _three(points: np.ndarray) -> np.ndarray:
@@ -102,17 +104,15 @@ def read_stl(path: str) -> Mesh:
     return Mesh(points[order], {"triangle": triangles})
 
 
-def read_mesh(path: str) -> Mesh:
-    """Whatever cells the file has; .mesh: a group a reference number."""
-    raw = _meshio(path)
-    cells: dict = {}
-    for block in raw.cells:
-        if block.type in CELL_TYPES:
-            cells.setdefault(block.type, []).append(np.asarray(block.data))
-    mesh = Mesh(_three(raw.points), {k: np.concatenate(v) for k, v in cells.items()})
-    numbers: dict = {}
-    for block, data in zip(raw.cells, raw.cell_data.get("medit:ref", [])):
-        numbers.setdefault(block.type, []).append(np.asarray(data))
+def read_medit(path: str) -> Mesh:
+    """All cells of Medit's .mesh, and a group for each reference number but 0."""
+    points, blocks = _kernel.core().read_medit(path)
+    cells: Dict[str, List[np.ndarray]] = {}
+    numbers: Dict[str, List[np.ndarray]] = {}
+    for kind, nodes, references in blocks:
+        cells.setdefault(kind, []).append(nodes)
+        numbers.setdefault(kind, []).append(references)
+    mesh = Mesh(points, {kind: np.concatenate(parts) for kind, parts in cells.items()})
     for kind, parts in numbers.items():
         prefix = {1: "Edge", 2: "Facet", 3: "Region"}[CELL_TYPES[kind][1]]
         values = np.concatenate(parts)
@@ -122,6 +122,16 @@ def read_mesh(path: str) -> Mesh:
                 np.flatnonzero(values == value).astype(np.int32),
             )
     return mesh
+
+
+def read_surface(path: str) -> Mesh:
+    """The faces of a .ply or .obj file."""
+    raw = _meshio(path)
+    cells: Dict[str, List[np.ndarray]] = {}
+    for block in raw.cells:
+        if block.type in CELL_TYPES:
+            cells.setdefault(block.type, []).append(np.asarray(block.data))
+    return Mesh(_three(raw.points), {kind: np.concatenate(v) for kind, v in cells.items()})
 
 
 def write_off(path: str, source: Any) -> None:
