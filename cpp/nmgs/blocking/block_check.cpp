@@ -227,25 +227,34 @@ private:
     void check_overlaps(const Progress &progress) {
         std::vector<std::pair<std::size_t, std::size_t>> pairs;
         // Boxes of the nodes will do: what a curved face has outside of them is thin.
-        for (const auto &pair : near_boxes(boxes_, model_.dimension == 3 ? -topology_.tolerance
-                                                                         : topology_.tolerance)) {
+        const double gap = model_.dimension == 3 ? -topology_.tolerance : topology_.tolerance;
+        for (const auto &pair : near_boxes(boxes_, gap, most_near_boxes(model_.size()))) {
             if (!sharing_.contains(pair)) {
                 pairs.push_back(pair);
             }
         }
         std::vector<char> overlaps(pairs.size(), 0);
         std::vector<Vec3> places(pairs.size());
-        parallel_for(
-            pairs.size(), 16,
-            [&](std::size_t first, std::size_t last) {
-                for (std::size_t i = first; i < last; ++i) {
-                    overlaps[i] = overlap(pairs[i].first, pairs[i].second, places[i]) ||
-                                          overlap(pairs[i].second, pairs[i].first, places[i])
-                                      ? 1
-                                      : 0;
-                }
-            },
-            progress, 0.0, 0.0);
+        // In batches: a model with a thousand overlaps is told so, not searched to its end.
+        constexpr std::size_t batch = 1 << 14;
+        constexpr std::ptrdiff_t enough = 1000;
+        std::size_t done = 0;
+        while (done < pairs.size() &&
+               std::count(overlaps.begin(), overlaps.end(), char{1}) < enough) {
+            const std::size_t start = done;
+            done = std::min(pairs.size(), start + batch);
+            parallel_for(
+                done - start, 16,
+                [&](std::size_t first, std::size_t last) {
+                    for (std::size_t i = start + first; i < start + last; ++i) {
+                        overlaps[i] = overlap(pairs[i].first, pairs[i].second, places[i]) ||
+                                              overlap(pairs[i].second, pairs[i].first, places[i])
+                                          ? 1
+                                          : 0;
+                    }
+                },
+                progress, 0.0, 0.0);
+        }
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             if (overlaps[i] != 0) {
                 sharing_.insert(pairs[i]);

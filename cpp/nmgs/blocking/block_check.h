@@ -31,8 +31,9 @@ struct BlockProblem {
     std::string text; // the whole sentence, naming the blocks from 1 on, as "Block2 face 1-2-3-4"
 };
 
-// In order of kind, then of blocks. A gap is more than topology.tolerance and less than a fifth of
-// the smallest element edge. The model must be valid (see validate).
+// In order of kind, then of blocks; after a thousand overlaps no more are looked for. A gap is more
+// than topology.tolerance and less than a fifth of the smallest element edge. The model must be
+// valid (see validate).
 std::vector<BlockProblem> check_blocks(const BlockModel &model, const Topology &topology,
                                        const Progress &progress = {});
 

@@ -220,7 +220,7 @@ std::vector<Contact> find_bad_contacts(const BlockModel &model, const Topology &
     for (const Part &part : parts) {
         boxes.push_back(part.box);
     }
-    const auto pairs = near_boxes(boxes, gap);
+    const auto pairs = near_boxes(boxes, gap, most_near_boxes(parts.size()));
     std::vector<std::optional<Contact>> found(pairs.size());
     parallel_for(pairs.size(), 8, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

@@ -9,6 +9,11 @@
 
 namespace nmgs {
 
+// Pairs of near blocks or parts that the checks look at; sound models have far fewer.
+constexpr std::size_t most_near_boxes(std::size_t count) {
+    return 10000 + 200 * count;
+}
+
 struct Contact {
     std::size_t block_a, block_b;
     int part_a, part_b;

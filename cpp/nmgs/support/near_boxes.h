@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -13,16 +14,18 @@
 
 namespace nmgs {
 
-// All pairs (i, j), i < j, of boxes that come within gap of each other; ascending.
-inline std::vector<std::pair<std::size_t, std::size_t>> near_boxes(std::span<const Box> boxes,
-                                                                   double gap) {
+// All pairs (i, j), i < j, of boxes that come within gap of each other; ascending. Ends with about
+// `most` pairs: where everything lies over everything their number is quadratic.
+inline std::vector<std::pair<std::size_t, std::size_t>>
+near_boxes(std::span<const Box> boxes, double gap,
+           std::size_t most = std::numeric_limits<std::size_t>::max()) {
     std::vector<std::size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return std::pair(boxes[a].low.x, a) < std::pair(boxes[b].low.x, b);
     });
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t s = 0; s < order.size(); ++s) {
+    for (std::size_t s = 0; s < order.size() && pairs.size() < most; ++s) {
         const Box &box = boxes[order[s]];
         for (std::size_t t = s + 1; t < order.size() && boxes[order[t]].low.x <= box.high.x + gap;
              ++t) {
