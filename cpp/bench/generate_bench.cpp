@@ -45,4 +45,42 @@ void memset_million(benchmark::State &state) {
 }
 BENCHMARK(memset_million)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+// A box of 250 x 250 x 160 hexahedra, ten million, of nx * ny * nz blocks: all of generate(),
+// checks, common nodes and new memory included.
+nmgs::BlockModel box_of_blocks(int nx, int ny, int nz) {
+    nmgs::BlockModel model;
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                for (const auto &p : nmgs::hexa20::natural) {
+                    model.nodes.push_back({250.0 / nx * (i + 0.5 * (p[0] + 1)),
+                                           250.0 / ny * (j + 0.5 * (p[1] + 1)),
+                                           160.0 / nz * (k + 0.5 * (p[2] + 1))});
+                }
+                model.divisions.push_back({250 / nx, 250 / ny, 160 / nz});
+            }
+        }
+    }
+    return model;
+}
+
+void generate_ten_million(benchmark::State &state, int nx, int ny, int nz) {
+    const auto model = box_of_blocks(nx, ny, nz);
+    for (auto _ : state) {
+        const auto mesh = nmgs::generate(model);
+        if (mesh.points.size() != 251U * 251 * 161) {
+            state.SkipWithError("the common nodes are not one");
+        }
+        benchmark::DoNotOptimize(mesh.points.data());
+    }
+}
+BENCHMARK_CAPTURE(generate_ten_million, one_block, 1, 1, 1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MinTime(2);
+BENCHMARK_CAPTURE(generate_ten_million, hundred_blocks, 5, 5, 4)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MinTime(2);
+
 } // namespace

@@ -77,6 +77,7 @@ solve(const DoubleArray &nodes, const IntArray &divisions,
     const BlockModel model = block_model_of(nodes, divisions, py::none());
     validate(model);
     std::vector<DivisionWish> list;
+    list.reserve(wishes.size());
     for (const auto &[block, direction, count, hard] : wishes) {
         list.push_back({block, direction, count, hard});
     }

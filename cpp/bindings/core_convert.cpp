@@ -7,6 +7,8 @@
 #include "nmgs/convert/mid_sides_on_model.h"
 #include "nmgs/convert/quad_to_triangle.h"
 #include "nmgs/convert/raise_order.h"
+#include "nmgs/convert/tetra_to_hexa.h"
+#include "nmgs/convert/triangle_to_quad.h"
 #include "nmgs/support/error.h"
 #include "nmgs/support/memory.h"
 
@@ -15,6 +17,20 @@
 
 namespace nmgs::bindings {
 namespace {
+
+// Moves rows of N numbers into an (M, N) array.
+template <std::size_t N>
+py::array_t<std::int32_t> give_rows(std::vector<std::array<std::int32_t, N>> &&rows) {
+    using Rows = std::vector<std::array<std::int32_t, N>>;
+    auto owner = std::make_unique<Rows>(std::move(rows));
+    const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(owner->size()),
+                                         static_cast<py::ssize_t>(N)};
+    auto *data = reinterpret_cast<std::int32_t *>(owner->data());
+    const py::capsule capsule(owner.release(), [](void *memory) {
+        const std::unique_ptr<Rows> end(static_cast<Rows *>(memory));
+    });
+    return py::array_t<std::int32_t>(shape, data, capsule);
+}
 
 EqualDiagonals rule_of(bool lowest_node) {
     return lowest_node ? EqualDiagonals::lowest_node : EqualDiagonals::second_and_fourth;
@@ -59,6 +75,7 @@ py::tuple hexahedra_to_tetrahedra(const DoubleArray &points, const IntArray &hex
     const std::size_t count = h.size() / 8;
     Array<Vec3> all;
     Array<std::int32_t> tetrahedra;
+    std::vector<FlippedFace> flipped;
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
@@ -74,11 +91,12 @@ py::tuple hexahedra_to_tetrahedra(const DoubleArray &points, const IntArray &hex
         all = Array<Vec3>(p.size() + count);
         std::copy(p.begin(), p.end(), all.begin());
         tetrahedra = Array<std::int32_t>(48 * count);
-        split_hexahedra(p, h, static_cast<std::int32_t>(p.size()),
-                        {tetrahedra.data(), tetrahedra.size()}, {all.data() + p.size(), count},
-                        listener);
+        flipped = split_hexahedra(p, h, static_cast<std::int32_t>(p.size()),
+                                  {tetrahedra.data(), tetrahedra.size()},
+                                  {all.data() + p.size(), count}, listener);
     }
-    return py::make_tuple(give_points(std::move(all)), give_cells(std::move(tetrahedra), 4));
+    return py::make_tuple(give_points(std::move(all)), give_cells(std::move(tetrahedra), 4),
+                          give_rows(std::move(flipped)));
 }
 
 // model: None or (nodes, divisions, spacing).
@@ -104,15 +122,57 @@ py::dict quadratic(const DoubleArray &points, const py::dict &cells, const py::o
     py::dict result;
     result["points"] = give_points(std::move(mesh.points));
     result["cells"] = give_blocks(std::move(mesh.cells));
-    const auto count = static_cast<py::ssize_t>(mesh.ends.size());
-    auto owner = std::make_unique<std::vector<std::array<std::int32_t, 2>>>(std::move(mesh.ends));
-    auto *data = reinterpret_cast<std::int32_t *>(owner->data());
-    const py::capsule capsule(owner.release(), [](void *memory) {
-        const std::unique_ptr<std::vector<std::array<std::int32_t, 2>>> end(
-            static_cast<std::vector<std::array<std::int32_t, 2>> *>(memory));
-    });
-    result["ends"] = py::array_t<std::int32_t>({count, py::ssize_t{2}}, data, capsule);
+    result["ends"] = give_rows(std::move(mesh.ends));
     return result;
+}
+
+py::tuple pairs(const DoubleArray &points, const IntArray &triangles, const IntArray &labels,
+                const py::object &progress) {
+    const auto p = points_of(points);
+    const auto t = cells_of(triangles, 3, "triangles");
+    if (labels.size() != 0 && labels.size() != triangles.shape(0)) {
+        throw py::value_error("labels: expected one for each of " +
+                              std::to_string(triangles.shape(0)) + " triangles, got " +
+                              std::to_string(labels.size()));
+    }
+    const std::span<const std::int32_t> l{labels.data(), static_cast<std::size_t>(labels.size())};
+    PairedTriangles result;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        result = pair_triangles(p, t, l, listener);
+    }
+    const auto left = static_cast<py::ssize_t>(result.left.size());
+    return py::make_tuple(give_rows(std::move(result.quads)), give_rows(std::move(result.parents)),
+                          give(std::move(result.left), {left}));
+}
+
+py::array_t<std::int32_t> corner_quads(const IntArray &cells, std::int32_t first_centre) {
+    const int corners = cells.ndim() == 2 && cells.shape(1) == 6 ? 3 : 4;
+    const auto c = cells_of(cells, 2 * corners, "cells");
+    Array<std::int32_t> quads;
+    {
+        const py::gil_scoped_release release;
+        quads = Array<std::int32_t>(2 * c.size());
+        split_at_corners(corners, c, first_centre, {quads.data(), quads.size()});
+    }
+    return give_cells(std::move(quads), 4);
+}
+
+py::tuple tetrahedra_to_hexahedra(std::int32_t first_face, const IntArray &tetrahedra,
+                                  const IntArray &triangles, const py::object &progress) {
+    const auto t = cells_of(tetrahedra, 10, "tetrahedra");
+    const auto f = cells_of(triangles, 3, "triangles");
+    HexahedraOfTetrahedra result;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        result = split_tetrahedra(first_face, t, f, listener);
+    }
+    const auto count = static_cast<py::ssize_t>(result.face_of_triangle.size());
+    return py::make_tuple(give_cells(std::move(result.hexahedra), 8),
+                          give_rows(std::move(result.face_corners)),
+                          give(std::move(result.face_of_triangle), {count}));
 }
 
 } // namespace
@@ -125,9 +185,20 @@ void bind_convert(py::module_ &module) {
     module.def("triangulation_parameters", &parameters, py::arg("points"), py::arg("quads"),
                py::arg("lowest_node") = false,
                "uint8 (M,): 1 where nodes 2 and 4 are joined, 0 where 1 and 3 are.");
-    module.def("hexahedra_to_tetrahedra", &hexahedra_to_tetrahedra, py::arg("points"),
-               py::arg("hexahedra"), py::arg("progress") = py::none(),
-               "(points with one centroid a hexahedron behind them, (12 M, 4) tetrahedra).");
+    module.def(
+        "hexahedra_to_tetrahedra", &hexahedra_to_tetrahedra, py::arg("points"),
+        py::arg("hexahedra"), py::arg("progress") = py::none(),
+        "(points with one centroid a hexahedron behind them, (12 M, 4) tetrahedra, corners (F, 4) "
+        "of faces that had to be split by the longer diagonal).");
+    module.def("pair_triangles", &pairs, py::arg("points"), py::arg("triangles"), py::arg("labels"),
+               py::arg("progress") = py::none(),
+               "(quads (P, 4), their triangles (P, 2), triangles without a partner); labels: int32 "
+               "(M,) that partners must share, or empty.");
+    module.def("corner_quads", &corner_quads, py::arg("cells"), py::arg("first_centre"),
+               "Quads at the corners of triangle6 or quad8 cells, round their centres.");
+    module.def("tetrahedra_to_hexahedra", &tetrahedra_to_hexahedra, py::arg("first_face"),
+               py::arg("tetrahedra"), py::arg("triangles"), py::arg("progress") = py::none(),
+               "(hexahedra (4 M, 8), corners of the face nodes (F, 3), face of each triangle).");
     module.def("raise_order", &quadratic, py::arg("points"), py::arg("cells"),
                py::arg("model") = py::none(), py::arg("progress") = py::none(),
                "{'points', 'cells', 'ends'}: quadratic cells; ends (E, 2) of each new node. model: "

@@ -2,8 +2,8 @@
 // Triangles over the faces of a shape that meet at its edges: what TetGen takes for its boundary.
 #pragma once
 
-#include "nmgs/support/vec3.h"
 #include "nmgs/support/progress.h"
+#include "nmgs/support/vec3.h"
 #include "nmgs_cad/cad_shape.h"
 
 #include <array>

@@ -69,11 +69,16 @@ def filters(obj: Any) -> List[str]:
 
 def write(obj: Any, path: str, chosen_filter: str = "") -> str:
     """Writes obj; adds the chosen filter's extension to a path without one. Returns the path."""
-    extension = re.search(r"\*\.([\w.]+)\)", chosen_filter)
-    if extension and not os.path.splitext(path)[1]:
-        path += "." + extension.group(1)
+    if not os.path.splitext(path)[1]:
+        path = with_extension(path, chosen_filter)
     nmgs.write(path, content(obj))
     return path
+
+
+def with_extension(path: str, chosen_filter: str) -> str:
+    """path with the extension of a filter like "VTK file (*.vtu)", if it names one."""
+    extension = re.search(r"\*\.([\w.]+)\)", chosen_filter)
+    return f"{path}.{extension.group(1)}" if extension else path
 
 
 def write_only(objects: Sequence[Any], path: str) -> None:

@@ -12,6 +12,14 @@ import FreeCAD
 Maker = Callable[[Any, str], Any]
 
 
+def _show(filename: str, error: BaseException) -> None:
+    # The window's own File > Open has no more for an importer's error than a traceback in a log.
+    if FreeCAD.GuiUp:
+        from .taskpanels.messages import show_error
+
+        show_error(f"Cannot open {os.path.basename(filename)}", error)
+
+
 def new_document(filename: str, make: Maker) -> Any:
     """A new document with the object. On an error no document is left; raises what make raises."""
     title = os.path.splitext(os.path.basename(filename))[0]
@@ -19,8 +27,9 @@ def new_document(filename: str, make: Maker) -> Any:
     document.Label = title
     try:
         make(document, filename)
-    except BaseException:
+    except BaseException as error:
         FreeCAD.closeDocument(document.Name)
+        _show(filename, error)
         raise
     document.recompute()
     return document
@@ -32,8 +41,9 @@ def document(filename: str, name: str, make: Maker) -> Any:
     target.openTransaction(f"Import {os.path.basename(filename)}")
     try:
         obj = make(target, filename)
-    except BaseException:
+    except BaseException as error:
         target.abortTransaction()
+        _show(filename, error)
         raise
     target.commitTransaction()
     target.recompute()

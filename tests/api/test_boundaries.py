@@ -14,7 +14,8 @@ KERNEL = ROOT / "cpp" / "nmgs"
 GUI_ROOMS = {"init_gui.py", "viewproviders", "taskpanels", "commands"}
 GUI_MODULES = {"FreeCADGui", "PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "pivy", "FemGui"}
 #: Rooms of cpp/nmgs from left to right; one may use those to its left, and support.
-CPP_ROOMS = ["support", "mesh", "element", "blocking", "convert", "quality", "plc", "formats"]
+#: quality stands before convert: joining triangles to quads chooses by quality.
+CPP_ROOMS = ["support", "mesh", "element", "blocking", "quality", "convert", "plc", "formats"]
 #: OpenCASCADE's headers are in no folder; these are their packages' names.
 OCCT = re.compile(
     r"[<\"](?:opencascade/)?(?:Adaptor|Approx|BRep|Bnd|BndLib|CPnts|ElCLib|ElSLib|Extrema|GCPnts|"

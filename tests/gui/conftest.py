@@ -44,6 +44,8 @@ def document():
     FreeCADGui.Selection.clearSelection()
     if FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.closeDialog()
+    for dialog in FreeCADGui.getMainWindow().findChildren(QtGui.QFileDialog):
+        dialog.close()
     for box in message_boxes():
         box.close()
     for name in list(FreeCAD.listDocuments()):

@@ -15,6 +15,7 @@ from conftest import (
     tree_labels,
     wait_until,
 )
+from PySide import QtGui
 
 
 def names(document):
@@ -166,6 +167,38 @@ def test_what_is_left_out_is_said(document, box):
     (message,) = message_boxes()
     assert "1 of 2" in message.text()
     assert "Ball.Solid1" in message.detailedText()
+
+
+def test_context_menu(document, box):
+    pick(box)
+    FreeCADGui.activeWorkbench().ContextMenu("View")
+    from freecad.NMGSWorkbench.commands import names_for_context_menu
+
+    assert names_for_context_menu() == ["NMGS_FitPatches", "NMGS_FitBlocks", "NMGS_TetGenMesh"]
+
+
+def test_toolbar_and_menu():
+    toolbars = FreeCADGui.activeWorkbench().getToolbarItems()
+    assert toolbars["NMGS"] == [
+        "NMGS_FitPatches",
+        "NMGS_FitBlocks",
+        "NMGS_GenerateMesh",
+        "NMGS_TetGenMesh",
+        "NMGS_MeshReport",
+        "NMGS_Export",
+    ]
+    menus = FreeCADGui.getMainWindow().menuBar().findChildren(QtGui.QMenu)
+    (menu,) = [menu for menu in menus if menu.title().replace("&", "") == "NMGS"]
+    assert [action.text().replace("&", "") for action in menu.actions()] == [
+        "Fit patches to faces",
+        "Fit blocks to solids",
+        "Generate mesh",
+        "TetGen mesh",
+        "Mesh report",
+        "Export",
+    ]
+    for action in menu.actions():
+        assert not action.icon().isNull() and len(action.toolTip()) > 20
 
 
 def test_blocks_stay_under_their_mesh(document, box):

@@ -102,6 +102,32 @@ def test_a_wrong_value_is_said_and_the_panel_stays(document, meshed):
     assert blocks.Divisions == before and blocks.isValid()
 
 
+def test_tetgen_panel(document, box):
+    pick(box, "Solid1")
+    run("NMGS_TetGenMesh")
+    made = document.getObject("TetGenMesh")
+    count, steps = made.ElementCount, document.UndoCount
+    open_panel(made)
+    assert widget(QtGui.QLineEdit, "switches").text() == made.Switches
+    widget(QtGui.QLineEdit, "switches").setText("pq")
+    press("OK")
+    assert made.Switches == "pq" and made.ElementCount < count
+    assert document.UndoCount == steps + 1
+    document.undo()
+    assert made.ElementCount == count == made.FemMesh.TetraCount
+
+
+def test_patches_panel(document, box):
+    pick(box, "Face1")
+    run("NMGS_FitPatches")
+    made = document.getObject("Patches")
+    open_panel(made)
+    widget(QtGui.QLineEdit, "reference").setText("side")
+    widget(QtGui.QWidget, "element_size").setProperty("rawValue", 5.0)
+    press("OK")
+    assert made.Reference == "side" and sorted(made.Divisions) == [4, 6]
+
+
 def test_report(document, meshed):
     steps = document.UndoCount
     pick(meshed)

@@ -6,8 +6,8 @@
 #include "nmgs/element/inverse_map.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/element/validity.h"
-#include "nmgs/mesh/near_boxes.h"
 #include "nmgs/mesh/point_hash.h"
+#include "nmgs/support/near_boxes.h"
 #include "nmgs/support/numbers.h"
 #include "nmgs/support/parallel.h"
 
@@ -272,9 +272,7 @@ private:
                         continue;
                     }
                     place = at(a, {xi, eta, zeta});
-                    Box point;
-                    point.add(place);
-                    if (!boxes_[b].near(point, topology_.tolerance)) {
+                    if (!boxes_[b].near(place, topology_.tolerance)) {
                         continue;
                     }
                     if (model_.dimension == 3) {

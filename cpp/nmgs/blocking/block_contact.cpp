@@ -4,8 +4,8 @@
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/inverse_map.h"
 #include "nmgs/element/quad8.h"
-#include "nmgs/mesh/near_boxes.h"
 #include "nmgs/mesh/point_hash.h"
+#include "nmgs/support/near_boxes.h"
 #include "nmgs/support/parallel.h"
 
 #include <algorithm>
@@ -134,9 +134,7 @@ bool touches(const Part &a, const Part &b, double limit) {
                 continue;
             }
             const Vec3 p = map(a, u, v);
-            Box place;
-            place.add(p);
-            if (!b.box.near(place, limit)) {
+            if (!b.box.near(p, limit)) {
                 continue;
             }
             const Foot foot = foot_on(b, p);
@@ -218,6 +216,7 @@ std::vector<Contact> find_bad_contacts(const BlockModel &model, const Topology &
         }
     }
     std::vector<Box> boxes;
+    boxes.reserve(parts.size());
     for (const Part &part : parts) {
         boxes.push_back(part.box);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/blocking/coincident_nodes.h"
 
-#include "nmgs/mesh/near_boxes.h"
 #include "nmgs/mesh/point_hash.h"
+#include "nmgs/support/near_boxes.h"
 #include "nmgs/support/parallel.h"
 
 #include <algorithm>
@@ -63,6 +63,7 @@ Coincidences find_coincident_nodes(const BlockModel &model, const Topology &topo
         }
     });
     std::vector<Box> boxes;
+    boxes.reserve(entities.size());
     for (const Entity &entity : entities) {
         boxes.push_back(entity.box);
     }
@@ -78,8 +79,7 @@ Coincidences find_coincident_nodes(const BlockModel &model, const Topology &topo
     parallel_for(entities.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e) {
             for (const std::int32_t node : entities[e].nodes) {
-                Box place;
-                place.add(points[static_cast<std::size_t>(node)]);
+                const Vec3 place = points[static_cast<std::size_t>(node)];
                 if (std::any_of(near[e].begin(), near[e].end(), [&](std::size_t other) {
                         return boxes[other].near(place, tolerance);
                     })) {

@@ -52,6 +52,27 @@ std::array<Vec3, 8> layer_patch(std::span<const Vec3> nodes, double zeta) {
     return patch;
 }
 
+// The row eta = const of an 8-node patch is a quadratic in xi; its points at -1, 0 and 1 are
+// quadratics in eta. Coefficients once a layer instead of shape functions once a row.
+struct RowEnds {
+    std::array<Vec3, 8> patch{};
+    Vec3 bulge{};
+
+    void set(const std::array<Vec3, 8> &nodes) {
+        patch = nodes;
+        bulge = 0.5 * (patch[5] + patch[7]) - 0.25 * (patch[0] + patch[1] + patch[2] + patch[3]);
+    }
+    [[nodiscard]] Vec3 low(const Weights &w) const {
+        return w.low * patch[0] + w.middle * patch[7] + w.high * patch[3];
+    }
+    [[nodiscard]] Vec3 high(const Weights &w) const {
+        return w.low * patch[1] + w.middle * patch[5] + w.high * patch[2];
+    }
+    [[nodiscard]] Vec3 middle(double eta, const Weights &w) const {
+        return (0.5 * (1 - eta)) * patch[4] + (0.5 * (1 + eta)) * patch[6] + w.middle * bulge;
+    }
+};
+
 // A run of lattice rows (j fastest, then k), short enough to balance the threads and poll often.
 struct Task {
     std::size_t block;
@@ -78,10 +99,12 @@ void fill_rows(const BlockModel &model, const Lattice &lattice, const BlockTable
                const Task &task, std::span<Vec3> points) {
     const auto nodes = model.element(task.block);
     const auto rows = static_cast<std::int64_t>(table.eta.size());
-    std::array<Vec3, 8> patch{};
+    RowEnds ends;
     std::int64_t layer = -1;
     if (model.dimension == 2) {
+        std::array<Vec3, 8> patch{};
         std::copy(nodes.begin(), nodes.end(), patch.begin());
+        ends.set(patch);
     }
     const auto n = table.xi.size() - 1;
     for (std::int64_t r = task.first_row; r < task.last_row; ++r) {
@@ -92,23 +115,24 @@ void fill_rows(const BlockModel &model, const Lattice &lattice, const BlockTable
             continue;
         }
         if (model.dimension == 3 && k != layer) {
-            patch = layer_patch(nodes, table.zeta[static_cast<std::size_t>(k)]);
+            ends.set(layer_patch(nodes, table.zeta[static_cast<std::size_t>(k)]));
             layer = k;
         }
         const double eta = table.eta[static_cast<std::size_t>(j)];
-        const Vec3 low = quad8::map(patch, -1, eta);
-        const Vec3 middle = quad8::map(patch, 0, eta);
-        const Vec3 high = quad8::map(patch, 1, eta);
+        const Weights w = weights(eta);
+        const Vec3 low = ends.low(w);
+        const Vec3 middle = ends.middle(eta, w);
+        const Vec3 high = ends.high(w);
         Vec3 *out = points.data() + pieces.start;
         if (pieces.low) {
             *out++ = low;
         }
         if (pieces.inside) {
             for (std::size_t i = 1; i < n; ++i) {
-                const Weights w = table.xi[i];
-                out->x = w.low * low.x + w.middle * middle.x + w.high * high.x;
-                out->y = w.low * low.y + w.middle * middle.y + w.high * high.y;
-                out->z = w.low * low.z + w.middle * middle.z + w.high * high.z;
+                const Weights v = table.xi[i];
+                out->x = v.low * low.x + v.middle * middle.x + v.high * high.x;
+                out->y = v.low * low.y + v.middle * middle.y + v.high * high.y;
+                out->z = v.low * low.z + v.middle * middle.z + v.high * high.z;
                 ++out;
             }
         }
@@ -265,7 +289,12 @@ Mesh generate(const BlockModel &model, const GenerateOptions &options, const Pro
                             std::to_string(24 * lattice.node_count() + 4 * corners * cells) +
                             " bytes); node numbers end at 2147483647");
     }
-    require_memory(24 * lattice.node_count() + 4 * corners * cells, "divisions: the mesh");
+    std::int64_t planes = 0; // of lattices, with up to 32 bytes each while meshing
+    for (const auto &g : model.divisions) {
+        planes += std::int64_t{g[0]} + g[1] + g[2];
+    }
+    require_memory(24 * lattice.node_count() + 4 * corners * cells + 32 * planes,
+                   "divisions: the mesh");
 
     Mesh mesh;
     mesh.points = Array<Vec3>(static_cast<std::size_t>(lattice.node_count()));

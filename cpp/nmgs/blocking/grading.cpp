@@ -2,6 +2,7 @@
 #include "nmgs/blocking/grading.h"
 
 #include "nmgs/support/error.h"
+#include "nmgs/support/memory.h"
 #include "nmgs/support/numbers.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ void require_count(std::int32_t n) {
     if (n < 1) {
         throw ArgumentError("n: expected 1 or more elements, got " + std::to_string(n));
     }
+    require_memory(std::int64_t{32} * n, "n: the positions");
 }
 
 void require_positive(const char *name, double value) {
@@ -112,6 +114,7 @@ std::vector<double> geometric(std::int32_t n, double ratio) {
     require_count(n);
     require_positive("ratio", ratio);
     std::vector<double> sizes;
+    sizes.reserve(static_cast<std::size_t>(n));
     // From the larger end, so that no size overflows.
     for (std::int32_t i = 0; i < n; ++i) {
         sizes.push_back(ratio > 1 ? std::pow(ratio, i - (n - 1)) : std::pow(ratio, i));

@@ -123,11 +123,13 @@ void Lattice::row(std::size_t block, std::int32_t j, std::int32_t k,
         }
         next += n - 1;
     } else {
+        // Inside a part of the owner its numbers go up, or down, by one step.
         const int code = part_of(block, {1, j, k});
         const Owner &owner = topology_.of(block, n > 1 ? code : 0);
+        const std::int64_t first = n > 1 ? shared_node(owner, code, {1, j, k}) : 0;
+        const std::int64_t step = n > 2 ? shared_node(owner, code, {2, j, k}) - first : 0;
         for (std::int32_t i = 1; i < n; ++i) {
-            ids[static_cast<std::size_t>(i)] =
-                static_cast<std::int32_t>(shared_node(owner, code, {i, j, k}));
+            ids[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(first + (i - 1) * step);
         }
     }
     ids[static_cast<std::size_t>(n)] =

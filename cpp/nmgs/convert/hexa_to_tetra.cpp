@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <mutex>
+#include <optional>
 
 namespace nmgs {
 namespace {
@@ -49,21 +51,24 @@ double split(const std::int32_t *h, const std::array<Vec3, 8> &p, Vec3 centroid,
 }
 
 // Where the centroid would leave a tetrahedron without volume, a better place if there is one.
-Vec3 move_inside(std::span<const Vec3> points, const std::int32_t *t, Vec3 centroid) {
+std::optional<Vec3> place_inside(std::span<const Vec3> points, const std::int32_t *t) {
     std::array<std::array<Vec3, 3>, 12> triangles;
     for (std::size_t i = 0; i < 12; ++i) {
         for (std::size_t n = 0; n < 3; ++n) {
             triangles[i][n] = points[static_cast<std::size_t>(t[4 * i + n])];
         }
     }
-    return inner_point(triangles).value_or(centroid);
+    return inner_point(triangles);
 }
 
 } // namespace
 
-void split_hexahedra(std::span<const Vec3> points, std::span<const std::int32_t> hexahedra,
-                     std::int32_t first_centroid, std::span<std::int32_t> tetrahedra,
-                     std::span<Vec3> centroids, const Progress &progress, double from, double to) {
+std::vector<FlippedFace>
+split_hexahedra(std::span<const Vec3> points, std::span<const std::int32_t> hexahedra,
+                std::int32_t first_centroid, std::span<std::int32_t> tetrahedra,
+                std::span<Vec3> centroids, const Progress &progress, double from, double to) {
+    std::vector<std::int64_t> bad;
+    std::mutex bad_mutex;
     parallel_for(
         hexahedra.size() / 8, 1 << 13,
         [&](std::size_t first, std::size_t last) {
@@ -80,11 +85,21 @@ void split_hexahedra(std::span<const Vec3> points, std::span<const std::int32_t>
                 const double least =
                     split(h, p, centroids[i], first_centroid + static_cast<std::int32_t>(i), t);
                 if (!(least > 0)) {
-                    centroids[i] = move_inside(points, t, centroids[i]);
+                    if (const auto inside = place_inside(points, t)) {
+                        centroids[i] = *inside;
+                    } else {
+                        const std::lock_guard lock(bad_mutex);
+                        bad.push_back(static_cast<std::int64_t>(i));
+                    }
                 }
             }
         },
         progress, from, to);
+    if (bad.empty()) {
+        return {};
+    }
+    std::sort(bad.begin(), bad.end());
+    return flip_diagonals(points, hexahedra, bad, tetrahedra, centroids);
 }
 
 } // namespace nmgs

@@ -264,6 +264,13 @@ std::vector<PairStore::Piece> all_pairs(std::size_t points, std::span<const Cell
     return std::move(stores).pieces();
 }
 
+// Called for each node of the loops below.
+void poll_now_and_then(std::size_t node, const Progress &progress, double fraction) {
+    if (node % (1 << 16) == 0) {
+        poll(progress, fraction);
+    }
+}
+
 // Nodes of the pairs, by their lower node: those of n from start[n] on; start has points + 1.
 struct Rows {
     Array<std::int64_t> start;
@@ -302,11 +309,13 @@ Rows by_lower_node(std::size_t points, std::vector<PairStore::Piece> &&pieces,
 
 // Moves the different nodes of each row to its front; returns how many they are, and adds what each
 // node will have in the end to counts[node + 1].
-Array<std::int32_t> keep_different(std::size_t points, Rows &rows, Array<std::int64_t> &counts) {
+Array<std::int32_t> keep_different(std::size_t points, Rows &rows, Array<std::int64_t> &counts,
+                                   const Progress &progress) {
     Array<std::int32_t> kept(points);
     Array<std::int32_t> mark(points);
     std::fill(mark.begin(), mark.end(), -1);
     for (std::size_t n = 0; n < points; ++n) {
+        poll_now_and_then(n, progress, 0.6);
         std::int32_t *const begin = rows.nodes.data() + rows.start[n];
         std::int32_t *const end = rows.nodes.data() + rows.start[n + 1];
         std::int32_t *out = begin;
@@ -331,7 +340,7 @@ RelatedNodes related_nodes(std::size_t points, std::span<const CellView> cells,
     Rows rows = by_lower_node(points, all_pairs(points, cells, progress), progress);
     RelatedNodes result{Array<std::int64_t>(points + 1), {}};
     std::fill(result.offsets.begin(), result.offsets.end(), 0);
-    const Array<std::int32_t> kept = keep_different(points, rows, result.offsets);
+    const Array<std::int32_t> kept = keep_different(points, rows, result.offsets, progress);
     accumulate(result.offsets);
     poll(progress, 0.7);
 
@@ -342,6 +351,7 @@ RelatedNodes related_nodes(std::size_t points, std::span<const CellView> cells,
     Array<std::int64_t> next(points);
     std::copy_n(result.offsets.begin(), points, next.begin());
     for (std::size_t n = 0; n < points; ++n) {
+        poll_now_and_then(n, progress, 0.75);
         const std::int32_t *node = rows.nodes.data() + rows.start[n];
         for (std::int32_t i = 0; i < kept[n]; ++i) {
             out[next[static_cast<std::size_t>(node[i])]++] = static_cast<std::int32_t>(n);
@@ -349,6 +359,7 @@ RelatedNodes related_nodes(std::size_t points, std::span<const CellView> cells,
     }
     poll(progress, 0.85);
     for (std::size_t n = 0; n < points; ++n) {
+        poll_now_and_then(n, progress, 0.9);
         const std::int32_t *node = out + result.offsets[n];
         const std::int32_t *const end = out + result.offsets[n + 1] - kept[n];
         for (; node != end; ++node) {

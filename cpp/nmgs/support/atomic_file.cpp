@@ -25,6 +25,7 @@ AtomicFile::AtomicFile(const std::string &path) : path_(path) {
         temporary_.replace_filename("." + path_.filename().string() + "." +
                                     std::to_string(random()) + ".tmp");
         errno = 0;
+        // The unique_ptr owns it. NOLINTNEXTLINE(cppcoreguidelines-owning-memory)
         file_.reset(std::fopen(temporary_.string().c_str(), "wbx"));
         if (!file_ && errno != EEXIST) {
             fail(errno);

@@ -35,6 +35,8 @@ private:
     [[noreturn]] void fail(int code) const;
 
     struct Close {
+        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): called by the unique_ptr that owns it
+        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): this is the owner's end.
         void operator()(std::FILE *file) const { std::fclose(file); }
     };
     std::filesystem::path path_;

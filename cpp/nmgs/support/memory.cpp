@@ -48,14 +48,15 @@ void *allocate(std::size_t count, std::size_t bytes_each) {
     constexpr std::size_t large_page = std::size_t{1} << 21;
     if (bytes >= 2 * large_page) {
         const std::size_t whole = (bytes + large_page - 1) / large_page * large_page;
-        memory = std::aligned_alloc(large_page, whole);
+        memory = std::aligned_alloc(large_page, whole); // NOLINT(cppcoreguidelines-owning-memory)
         if (memory != nullptr) {
             madvise(memory, whole, MADV_HUGEPAGE); // a hint; nothing is lost where it is refused
         }
     } else
 #endif
     {
-        memory = std::malloc(bytes); // NOLINT(cppcoreguidelines-no-malloc)
+        // NOLINTNEXTLINE(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory)
+        memory = std::malloc(bytes);
     }
     if (memory == nullptr) {
         throw std::bad_alloc();
@@ -64,7 +65,7 @@ void *allocate(std::size_t count, std::size_t bytes_each) {
 }
 
 void release(void *memory) {
-    std::free(memory); // NOLINT(cppcoreguidelines-no-malloc)
+    std::free(memory); // NOLINT(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory)
 }
 
 } // namespace nmgs

@@ -61,8 +61,9 @@ struct Box {
               -std::numeric_limits<double>::infinity()};
 
     void add(Vec3 p) {
-        low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
-        high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+        low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+        high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y,
+                p.z > high.z ? p.z : high.z};
     }
     [[nodiscard]] double diagonal() const { return low.x > high.x ? 0.0 : distance(low, high); }
     // True when the boxes come within gap of each other.
@@ -70,6 +71,10 @@ struct Box {
         return low.x <= other.high.x + gap && other.low.x <= high.x + gap &&
                low.y <= other.high.y + gap && other.low.y <= high.y + gap &&
                low.z <= other.high.z + gap && other.low.z <= high.z + gap;
+    }
+    [[nodiscard]] bool near(Vec3 p, double gap) const {
+        return low.x <= p.x + gap && p.x <= high.x + gap && low.y <= p.y + gap &&
+               p.y <= high.y + gap && low.z <= p.z + gap && p.z <= high.z + gap;
     }
 };
 

@@ -31,7 +31,9 @@ class Export(Command):
         dialog = QtGui.QFileDialog(FreeCADGui.getMainWindow(), f"Export {obj.Label}")
         dialog.setObjectName("NMGS_Export")
         dialog.setAcceptMode(QtGui.QFileDialog.AcceptSave)
-        dialog.setNameFilters(export_object.filters(obj))
+        filters = export_object.filters(obj)
+        dialog.setNameFilters(filters)
+        dialog.selectFile(export_object.with_extension(obj.Label, filters[0]))
 
         def write(path: str) -> None:
             try:

@@ -3,8 +3,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
+import FreeCAD
+
+from ..nmgs.tetgen import TetOptions
 from ..objects import tetgen_mesh
 from ..objects.base import DocumentObject
 from . import selection
@@ -26,10 +30,26 @@ class TetGenMesh(Command):
             raise ValueError("Pick a solid, a PLC, blocks, patches or a mesh.")
         obj = tetgen_mesh.make(document)
         obj.Source = source
-        if getattr(source[0][0], "FacetCount", None) == 0:
-            # Points alone have no boundary to keep: their Delaunay tetrahedra.
-            obj.Switches = ""
+        obj.Switches = suggested_switches(source)
         self.computed(obj)
         for part, _ in source:
             part.Visibility = False
         return obj
+
+
+def suggested_switches(source: selection.Source) -> str:
+    """For solids quality tetrahedra with edges of about a twentieth of the diagonal; for points
+    their Delaunay tetrahedra; else what the boundary asks for."""
+    first = source[0][0]
+    if getattr(first, "FacetCount", None) == 0:
+        return ""
+    if isinstance(getattr(first, "Proxy", None), DocumentObject):
+        return "pq"
+    box = FreeCAD.BoundBox()
+    for part, _ in source:
+        box.add(part.Shape.BoundBox)
+    # A regular tetrahedron of edge e has the volume e^3 / (6 sqrt 2).
+    volume = (box.DiagonalLength / 20) ** 3 / (6 * math.sqrt(2))
+    options = TetOptions.parse("pq1.4")
+    options.max_volume = float(f"{volume:.2g}")
+    return str(options)

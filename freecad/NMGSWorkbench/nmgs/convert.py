@@ -35,6 +35,14 @@ def _children(indices: np.ndarray, each: int, base: int) -> np.ndarray:
     )
 
 
+def _flip(quads: np.ndarray, pairs: np.ndarray, chosen: np.ndarray) -> None:
+    """Gives the pairs of triangles of the chosen quads the other diagonal, in place."""
+    a, b, c, d = quads[chosen].T
+    joined = pairs[chosen, 2] == d
+    pairs[chosen, 2] = np.where(joined, c, d)
+    pairs[chosen, 5] = np.where(joined, a, b)
+
+
 def split(mesh: Mesh, progress: Progress = None) -> Mesh:
     """Quads to two triangles, hexahedra to twelve tetrahedra; see Mesh.split."""
     _refuse(mesh, set(_QUADRATIC.values()), "split the linear mesh, then raise its order")
@@ -43,14 +51,20 @@ def split(mesh: Mesh, progress: Progress = None) -> Mesh:
     points = mesh.points
     cells = {k: v for k, v in mesh.cells.items() if k not in ("quad", "hexahedron")}
     bases: Dict[str, Tuple[str, int, int]] = {}
+    flipped = np.zeros((0, 4), dtype=np.int32)
     if "hexahedron" in mesh.cells:
-        points, new = kernel.hexahedra_to_tetrahedra(points, mesh.cells["hexahedron"], progress)
+        points, new, flipped = kernel.hexahedra_to_tetrahedra(
+            points, mesh.cells["hexahedron"], progress
+        )
         old = cells.get("tetra")
         bases["hexahedron"] = ("tetra", 12, 0 if old is None else len(old))
         cells["tetra"] = new if old is None else np.concatenate([old, new])
     if "quad" in mesh.cells:
         solid = any(CELL_TYPES[name][1] == 3 for name in mesh.cells)
         new = kernel.quads_to_triangles(mesh.points, mesh.cells["quad"], solid, progress)
+        if len(flipped):
+            quads = mesh.cells["quad"]
+            _flip(quads, new.reshape(-1, 6), np.isin(_keys(quads), _keys(flipped)))
         old = cells.get("triangle")
         bases["quad"] = ("triangle", 2, 0 if old is None else len(old))
         cells["triangle"] = new if old is None else np.concatenate([old, new])
@@ -151,3 +165,135 @@ def to_order(mesh: Mesh, order: int, progress: Progress = None) -> Mesh:
     result = Mesh(raised["points"], raised["cells"], groups, model=mesh.model)
     result.mid_side_ends = raised["ends"]
     return result
+
+
+def _labels(mesh: Mesh, cell_type: str) -> np.ndarray:
+    """A number for each cell of the type: equal where the cell is in the same groups."""
+    member = [
+        np.isin(np.arange(len(mesh.cells[cell_type])), indices)
+        for kind, indices in mesh.groups.values()
+        if kind == cell_type
+    ]
+    if not member:
+        return np.zeros(0, dtype=np.int32)
+    return np.unique(np.array(member), axis=1, return_inverse=True)[1].astype(np.int32).ravel()
+
+
+def _grown(group: np.ndarray, points: int, corners: np.ndarray, first: int) -> np.ndarray:
+    """A node group with those of the nodes from `first` on whose corners are all in it."""
+    member = np.zeros(points, dtype=bool)
+    member[group[group < points]] = True
+    new = (first + np.flatnonzero(member[corners].all(axis=1))).astype(np.int32)
+    return np.concatenate([group, new])
+
+
+def _halved(mesh: Mesh, progress: Progress) -> Mesh:
+    """All quads: a triangle gives three, a quad four, round a node at the mean of its corners."""
+    raised = to_order(mesh, 2, progress)
+    points = [raised.points]
+    quads: List[np.ndarray] = []
+    groups = {name: group for name, group in raised.groups.items() if group[0] == "node"}
+    first, base = len(raised.points), 0
+    for name, corners in (("triangle", 3), ("quad", 4)):
+        if name not in mesh.cells:
+            continue
+        cells = mesh.cells[name]
+        points.append(mesh.points[cells].mean(axis=1))
+        quads.append(_kernel.core().corner_quads(raised.cells[_QUADRATIC[name]], first))
+        for group, (kind, indices) in mesh.groups.items():
+            if kind == name:
+                groups[group] = ("quad", _children(indices, corners, base))
+            elif kind == "node":
+                groups[group] = ("node", _grown(groups[group][1], len(mesh.points), cells, first))
+        first += len(cells)
+        base += corners * len(cells)
+    cells = {"quad": np.concatenate(quads)}
+    if "line" in mesh.cells:
+        a, b, m = raised.cells["line3"].T
+        cells["line"] = np.stack([a, m, m, b], axis=1).reshape(-1, 2)
+        for group, (kind, indices) in mesh.groups.items():
+            if kind == "line":
+                groups[group] = ("line", _children(indices, 2, 0))
+    return Mesh(np.concatenate(points), cells, groups)
+
+
+def _paired(mesh: Mesh, progress: Progress) -> Mesh:
+    """Pairs of triangles as quads, behind the quads that are there; triangles without a partner
+    stay."""
+    quads, parents, left = _kernel.core().pair_triangles(
+        mesh.points, mesh.cells["triangle"], _labels(mesh, "triangle"), progress
+    )
+    old = mesh.cells.get("quad", np.zeros((0, 4), dtype=np.int32))
+    cells = {name: nodes for name, nodes in mesh.cells.items() if name not in ("triangle", "quad")}
+    cells["quad"] = np.concatenate([old, quads])
+    if len(left):
+        cells["triangle"] = mesh.cells["triangle"][left]
+    groups: Dict[str, Group] = {}
+    for name, (kind, indices) in mesh.groups.items():
+        if kind != "triangle":
+            groups[name] = (kind, indices)
+            continue
+        inside = (len(old) + np.flatnonzero(np.isin(parents[:, 0], indices))).astype(np.int32)
+        rest = np.flatnonzero(np.isin(left, indices)).astype(np.int32)
+        if len(rest) and len(inside):
+            groups[name], groups[name + " triangles"] = ("quad", inside), ("triangle", rest)
+        else:
+            groups[name] = ("triangle", rest) if len(rest) else ("quad", inside)
+    return Mesh(mesh.points, cells, groups)
+
+
+def to_quads(mesh: Mesh, method: str, progress: Progress = None) -> Mesh:
+    """See Mesh.to_quads."""
+    if method not in ("split", "match"):
+        raise ValueError(f"method: expected 'split' or 'match', got {method!r}")
+    _refuse(mesh, {name for name, row in CELL_TYPES.items() if row[1] == 3}, "not a surface")
+    _refuse(mesh, set(_QUADRATIC.values()), "convert the linear mesh, then raise its order")
+    if not len(mesh.cells.get("triangle", ())):
+        return mesh
+    if method == "match":
+        mesh = _paired(mesh, progress)
+        if "triangle" not in mesh.cells:
+            return mesh
+    result = _halved(mesh, progress)
+    for name in list(result.groups):
+        whole = name[: -len(" triangles")]
+        if method == "match" and name.endswith(" triangles") and whole in result.groups:
+            both = np.concatenate([result.groups[whole][1], result.groups.pop(name)[1]])
+            result.groups[whole] = ("quad", np.sort(both))
+    return result
+
+
+def to_hexes(mesh: Mesh, progress: Progress = None) -> Mesh:
+    """See Mesh.to_hexes."""
+    _refuse(mesh, {"hexahedron", "wedge", "pyramid", "quad"}, "only tetrahedra become hexahedra")
+    _refuse(mesh, set(_QUADRATIC.values()), "convert the linear mesh, then raise its order")
+    if "tetra" not in mesh.cells:
+        return mesh
+    raised = to_order(mesh, 2, progress)
+    tetra, count = mesh.cells["tetra"], len(mesh.points)
+    triangles = mesh.cells.get("triangle", np.zeros((0, 3), dtype=np.int32))
+    first = len(raised.points)
+    hexahedra, faces, face_of = _kernel.core().tetrahedra_to_hexahedra(
+        first, raised.cells["tetra10"], triangles, progress
+    )
+    points = np.concatenate(
+        [raised.points, mesh.points[faces].mean(axis=1), mesh.points[tetra].mean(axis=1)]
+    )
+    cells = {"hexahedron": hexahedra}
+    if len(triangles):
+        quads = _kernel.core().corner_quads(raised.cells["triangle6"], 0)
+        quads[:, 2] = first + np.repeat(face_of, 3)
+        cells["quad"] = quads
+    if "line" in mesh.cells:
+        a, b, m = raised.cells["line3"].T
+        cells["line"] = np.stack([a, m, m, b], axis=1).reshape(-1, 2)
+    each = {"tetra": ("hexahedron", 4), "triangle": ("quad", 3), "line": ("line", 2)}
+    groups: Dict[str, Group] = {}
+    for name, (kind, indices) in mesh.groups.items():
+        if kind == "node":
+            nodes = _grown(raised.groups[name][1], count, faces, first)
+            groups[name] = ("node", _grown(nodes, count, tetra, first + len(faces)))
+        else:
+            child, number = each[kind]
+            groups[name] = (child, _children(indices, number, 0))
+    return Mesh(points, cells, groups)

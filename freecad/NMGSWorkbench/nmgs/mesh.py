@@ -136,6 +136,35 @@ class Mesh:
 
         return convert.to_order(self, order, progress)
 
+    def to_quads(
+        self, method: str = "match", progress: Optional[Callable[[float], Any]] = None
+    ) -> "Mesh":
+        """A surface of quads only.
+
+        method "split": each triangle gives three quads and each quad four, round a node at the
+        mean of its corners. "match": pairs of triangles become quads; the pairs are as many as can
+        be, and of the best scaled Jacobians over the whole mesh (a maximum-weight matching). Not
+        paired: over an edge of three triangles or a crease of 60 degrees, and triangles of
+        different groups. If a triangle is left over, all cells are split as above, so that the
+        surface is of quads only and conforming. Groups follow.
+        Raises ValueError for another method, volume cells and quadratic cells.
+        """
+        from . import convert  # only here: convert.py imports this module
+
+        return convert.to_quads(self, method, progress)
+
+    def to_hexes(self, progress: Optional[Callable[[float], Any]] = None) -> "Mesh":
+        """Each tetrahedron as four hexahedra, each triangle as three quads: conforming, positive.
+
+        New nodes: in the middle of each edge, of each face, and of each tetrahedron, in this order
+        behind the old ones. Cells 4 t to 4 t + 3 come from tetrahedron t. Groups follow; a group of
+        nodes gains face and inner nodes when all their corners are in it, mid-side nodes as in
+        to_order. Raises ValueError for other volume cells, quads and quadratic cells.
+        """
+        from . import convert  # only here: convert.py imports this module
+
+        return convert.to_hexes(self, progress)
+
     def quality(
         self, metric: str = "scaled_jacobian", progress: Optional[Callable[[float], Any]] = None
     ) -> Dict[str, np.ndarray]:

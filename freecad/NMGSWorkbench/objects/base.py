@@ -47,7 +47,7 @@ class DocumentObject:
     failure: Optional[BaseException] = None
 
     def __init__(self, obj: Any):
-        add_properties(obj, (_SCHEMA, *self.properties))
+        self._add_properties(obj)
         obj.Proxy = self
         self._attach_view(obj)
 
@@ -58,11 +58,17 @@ class DocumentObject:
         module = importlib.import_module(f"{package}.viewproviders.{self.view[0]}")
         getattr(module, self.view[1])(obj.ViewObject)
 
-    def onDocumentRestored(self, obj: Any) -> None:
+    def _add_properties(self, obj: Any) -> None:
         add_properties(obj, (_SCHEMA, *self.properties))
-        # A document saved without a window has no view provider, and stays invisible without one.
+        # Everything lies where its nodes are; a recompute takes any other placement back.
+        obj.setEditorMode("Placement", 2)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        self._add_properties(obj)
+        # A document saved without a window has no view provider and all of its objects hidden.
         if FreeCAD.GuiUp and obj.ViewObject is not None and obj.ViewObject.Proxy is None:
             self._attach_view(obj)
+            obj.ViewObject.Visibility = True
 
     def execute(self, obj: Any) -> None:
         self.failure = None

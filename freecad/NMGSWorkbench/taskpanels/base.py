@@ -13,9 +13,9 @@ from ..resources import icon, ui
 from . import messages
 
 
-def button_flags(buttons: Any) -> int:
-    """Qt's buttons as the number that FreeCAD asks for, in PySide2 and PySide6."""
-    return buttons.value if hasattr(buttons, "value") else int(buttons)
+def flags_value(flags: Any) -> int:
+    """Qt's flags as the number that FreeCAD and Qt's items ask for, in PySide2 and PySide6."""
+    return flags.value if hasattr(flags, "value") else int(flags)
 
 
 class Panel:
@@ -42,10 +42,10 @@ class Panel:
 
     def getStandardButtons(self) -> int:
         box = QtGui.QDialogButtonBox
-        return button_flags(box.Ok | box.Apply | box.Cancel)
+        return flags_value(box.Ok | box.Apply | box.Cancel)
 
     def clicked(self, button: int) -> None:
-        if button_flags(button) == button_flags(QtGui.QDialogButtonBox.Apply):
+        if flags_value(button) == flags_value(QtGui.QDialogButtonBox.Apply):
             self.apply()
 
     def apply(self) -> bool:

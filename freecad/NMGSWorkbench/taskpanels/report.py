@@ -12,7 +12,7 @@ from ..nmgs.mesh import CELL_TYPES
 from ..nmgs.report import MetricSummary, Report
 from ..objects.run import run
 from ..resources import icon, ui
-from .base import button_flags
+from .base import flags_value
 
 _BAR = 24
 
@@ -60,7 +60,9 @@ class ReportPanel:
             for column, text in enumerate([title, *values]):
                 item = QtGui.QTableWidgetItem(text)
                 if column:
-                    item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
+                    item.setTextAlignment(
+                        flags_value(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+                    )
                 table.setItem(row, column, item)
         table.verticalHeader().hide()
         table.resizeColumnsToContents()
@@ -96,7 +98,7 @@ class ReportPanel:
         table.resizeRowsToContents()
 
     def getStandardButtons(self) -> int:
-        return button_flags(QtGui.QDialogButtonBox.Close)
+        return flags_value(QtGui.QDialogButtonBox.Close)
 
     def reject(self) -> bool:
         if self.obj.ViewObject is not None:

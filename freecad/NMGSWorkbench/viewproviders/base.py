@@ -16,6 +16,14 @@ from ..taskpanels import progress
 progress.install()
 
 
+def set_face_colour(vobj: Any, red: float, green: float, blue: float) -> None:
+    """Colour of the faces; FreeCAD 1.0 moved it from ShapeColor into ShapeAppearance."""
+    if "ShapeColor" in vobj.PropertiesList:
+        vobj.ShapeColor = (red, green, blue)
+    elif "ShapeAppearance" in vobj.PropertiesList:
+        vobj.ShapeAppearance = (FreeCAD.Material(DiffuseColor=(red, green, blue)),)
+
+
 class ViewProvider:
     """Base. A subclass sets `icon_name`, and `panel` (module, class in taskpanels) or none."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any, List
 
-from .base import ViewProvider
+from .base import ViewProvider, set_face_colour
 
 
 class ImportedMeshView(ViewProvider):
@@ -13,7 +13,7 @@ class ImportedMeshView(ViewProvider):
     panel = ("", "")
 
     def dress(self, vobj: Any) -> None:
-        vobj.ShapeColor = (0.70, 0.70, 0.75)
+        set_face_colour(vobj, 0.70, 0.70, 0.75)
         vobj.BackfaceCulling = False
 
     def claimChildren(self) -> List[Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any, List
 
-from .base import ViewProvider
+from .base import ViewProvider, set_face_colour
 
 
 class StructuredMeshView(ViewProvider):
@@ -13,7 +13,7 @@ class StructuredMeshView(ViewProvider):
     panel = ("structured_mesh", "StructuredMeshPanel")
 
     def dress(self, vobj: Any) -> None:
-        vobj.ShapeColor = (0.45, 0.70, 0.90)
+        set_face_colour(vobj, 0.45, 0.70, 0.90)
         vobj.BackfaceCulling = False
 
     def claimChildren(self) -> List[Any]:

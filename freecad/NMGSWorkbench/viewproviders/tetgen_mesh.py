@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .base import ViewProvider
+from .base import ViewProvider, set_face_colour
 
 
 class TetGenMeshView(ViewProvider):
@@ -13,5 +13,5 @@ class TetGenMeshView(ViewProvider):
     panel = ("tetgen_mesh", "TetGenMeshPanel")
 
     def dress(self, vobj: Any) -> None:
-        vobj.ShapeColor = (0.55, 0.80, 0.55)
+        set_face_colour(vobj, 0.55, 0.80, 0.55)
         vobj.BackfaceCulling = False
