@@ -27,12 +27,13 @@ def plc_of_shape(
 
     source: a Part.Shape, a list of them, or a document object. A face between two solids is there
     once. deviation: largest distance of a facet from its face; 0 for a thousandth of the diagonal.
-    The PLC's cad is the kernel's shape. Raises GeometryError that names faces or solids, TypeError,
+    The PLC's part is the shape. Raises GeometryError that names faces or solids, TypeError,
     ValueError, Cancelled.
     """
     if not 0 <= deviation < float("inf"):
         raise ValueError(f"deviation: expected 0 or more, got {deviation!r}")
-    shape = _kernel.cad().CadShape(brep_bytes(as_shape(source)))
+    part = as_shape(source)
+    shape = _kernel.cad().CadShape(brep_bytes(part))
     if not shape.solids:
         raise GeometryError("shape: it has no solid for TetGen to fill")
     wanted = deviation or DEVIATION * shape.diagonal
@@ -50,5 +51,5 @@ def plc_of_shape(
     # Solids that touch without sharing a face, and slivers of the triangulation.
     if any(p.fault in MENDED for p in plc.check(limit=1)):
         plc = plc.mend()
-    plc.cad = shape  # type: ignore[attr-defined]
+    plc.part = part  # type: ignore[attr-defined]
     return plc

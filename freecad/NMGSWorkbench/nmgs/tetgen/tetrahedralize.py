@@ -7,6 +7,7 @@ from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 
+from ..cad_snap import snap_to_shape
 from ..mesh import Mesh
 from ..plc import PLC
 from . import worker
@@ -27,6 +28,7 @@ def tetrahedralize(
     added_points: Any = None,
     background: Optional[Tuple[Mesh, Any]] = None,
     deviation: float = 0.0,
+    snap: bool = False,
     memory_limit: int = 0,
     log: Optional[Callable[[str], Any]] = None,
 ) -> Mesh:
@@ -39,8 +41,9 @@ def tetrahedralize(
     point of the source (-m). volumes: (M,) largest volume for each tetrahedron of the source (-ra).
     added_points: (A, 3), inserted into the mesh (-i). background: a Mesh of tetrahedra and the edge
     length at each of its points (-m). deviation: for CAD, how far a facet may be from its face; 0
-    for a thousandth of the size. memory_limit: bytes that TetGen may use; 0 for no limit. log:
-    called with TetGen's lines.
+    for a thousandth of the size. snap: put the nodes on CAD faces onto them, mid-nodes of a second
+    order too, as far as no tetrahedron turns inside out. memory_limit: bytes that TetGen may use;
+    0 for no limit. log: called with TetGen's lines.
 
     The Mesh has "tetra" or "tetra10" cells (positive volume), and as "triangle" or "triangle6" the
     facets of the boundary, normals outwards; groups of facets and regions; and mesh.tetgen with
@@ -52,6 +55,8 @@ def tetrahedralize(
     if memory_limit < 0:
         raise ValueError(f"memory_limit: expected 0 or more bytes, got {memory_limit!r}")
     thing = to_source(source, _needs_facets(options), deviation, progress)
+    if snap and not hasattr(thing, "part"):
+        raise ValueError("snap: the source is no CAD shape")
     arrays = request_of(thing)
     arrays.update(extra_arrays(arrays, options, sizes, volumes, added_points, background))
     if isinstance(thing, PLC) and thing.region_groups and options.plc:
@@ -65,6 +70,8 @@ def tetrahedralize(
     mesh = mesh_of(outcome.arrays, thing, data)
     if not (options.diagnose or options.no_tetrahedra or cells_of(mesh, "tetra", "tetra10")):
         raise no_tetrahedra(thing, data, progress)
+    if snap:
+        snap_to_shape(mesh, thing.part, progress)
     return mesh
 
 
