@@ -56,6 +56,9 @@ void AtomicFile::fail(int code) const {
 }
 
 void AtomicFile::write(std::string_view text) {
+    if (text.empty()) {
+        return; // its data may be null, which fwrite must not get
+    }
     errno = 0;
     if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
         fail(errno != 0 ? errno : EIO);
