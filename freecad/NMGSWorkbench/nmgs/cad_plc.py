@@ -34,8 +34,8 @@ def plc_of_shape(
         raise ValueError(f"deviation: expected 0 or more, got {deviation!r}")
     part = as_shape(source)
     shape = _kernel.cad().CadShape(brep_bytes(part))
-    if not shape.solids:
-        raise GeometryError("shape: it has no solid for TetGen to fill")
+    if not shape.faces:
+        raise GeometryError("shape: it has no faces")
     wanted = deviation or DEVIATION * shape.diagonal
     raw = _kernel.cad().tessellate(shape, wanted, ANGLE, progress)
     numbers = np.arange(1, shape.solids + 1, dtype=np.float64)

@@ -62,6 +62,10 @@ def tetrahedralize(
     if isinstance(thing, PLC) and thing.region_groups and options.plc:
         options.region_attributes = True
     _check(thing, arrays, options)
+    # TetGen 1.6.0 frees its mid-nodes before it writes them: they are added here instead.
+    raise_order = options.order == 2 and options.version == "1.6"
+    if raise_order:
+        options.order = 1
     arrays["switches"] = np.frombuffer(str(options).encode("ascii"), np.uint8)
     outcome = worker.run(arrays, timeout, progress, log, memory_limit)
     if not outcome.whole:
@@ -70,6 +74,9 @@ def tetrahedralize(
     mesh = mesh_of(outcome.arrays, thing, data)
     if not (options.diagnose or options.no_tetrahedra or cells_of(mesh, "tetra", "tetra10")):
         raise no_tetrahedra(thing, data, progress)
+    if raise_order:
+        mesh = mesh.to_order(2)
+        mesh.tetgen = data  # type: ignore[attr-defined]
     if snap:
         snap_to_shape(mesh, thing.part, progress)
     return mesh
