@@ -46,7 +46,6 @@ def key(command, files):
 
 def check(unit):
     done = subprocess.run(
-        # clang does not know all of g++'s warnings.
         [
             "clang-tidy",
             "-p",
