@@ -36,9 +36,12 @@ def dependencies():
     return result
 
 
-def key(command, files):
+def key(unit, command, files):
     digest = hashlib.sha256(command.encode())
     digest.update((ROOT / ".clang-tidy").read_bytes())
+    for folder in (ROOT / unit).parents:
+        if folder != ROOT and folder.is_relative_to(ROOT) and (folder / ".clang-tidy").exists():
+            digest.update((folder / ".clang-tidy").read_bytes())
     for path in sorted(files):
         digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:32]
@@ -72,7 +75,7 @@ def main():
         units += 1
         words = shlex.split(entry["command"])
         files = built_from.get(words[words.index("-o") + 1], set()) | {ROOT / unit}
-        stamp = CLEAN / key(entry["command"], files)
+        stamp = CLEAN / key(unit, entry["command"], files)
         if not stamp.exists():
             todo.setdefault(unit, []).append(stamp)
     dirty = []

@@ -32,7 +32,7 @@ std::optional<FourSides> four_sides(const CadShape &shape, int face, SidesRefusa
     std::vector<int> edges;
     std::vector<int> corners;
     for (BRepTools_WireExplorer it(wires.front(), oriented); it.More(); it.Next()) {
-        const TopoDS_Edge edge = it.Current();
+        const TopoDS_Edge &edge = it.Current();
         const int n = shape.edges.FindIndex(edge);
         if (BRep_Tool::Degenerated(edge)) {
             refusal = {name + " has a pole at " +

@@ -72,7 +72,7 @@ def test_finer_deviation_comes_nearer():
 
 
 def test_unusable_shapes():
-    with pytest.raises(nmgs.GeometryError, match="no solid"):
+    with pytest.raises(nmgs.TetGenError, match="open edge"):
         nmgs.tetrahedralize(Part.makePlane(1, 1), "p")
     with pytest.raises(ValueError, match="deviation"):
         plc_of_shape(Part.makeBox(1, 1, 1), -1)
