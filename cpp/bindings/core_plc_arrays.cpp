@@ -11,6 +11,7 @@ using LongArray = py::array_t<std::int64_t, py::array::c_style | py::array::forc
 template <class Scalar, class T>
 py::array_t<Scalar> copied(const std::vector<T> &values, py::ssize_t columns) {
     static_assert(sizeof(T) % sizeof(Scalar) == 0);
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): T and Scalar may be the same type.
     const auto scalars = static_cast<py::ssize_t>(values.size() * (sizeof(T) / sizeof(Scalar)));
     std::vector<py::ssize_t> shape{scalars / columns};
     if (columns > 1) {

@@ -28,6 +28,7 @@ void raise(const char *type, const Args &...args) {
 } // namespace
 
 void register_errors() {
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11's signature.
     py::register_local_exception_translator([](std::exception_ptr pointer) {
         try {
             if (pointer) {
