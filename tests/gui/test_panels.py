@@ -4,7 +4,9 @@
 import FreeCADGui
 import pytest
 from conftest import content, message_boxes, pick, process_events, run, screenshot
-from PySide import QtGui
+from PySide import QtCore, QtGui
+
+from freecad.NMGSWorkbench import nmgs
 
 
 @pytest.fixture
@@ -115,6 +117,58 @@ def test_tetgen_panel(document, box):
     assert document.UndoCount == steps + 1
     document.undo()
     assert made.ElementCount == count == made.FemMesh.TetraCount
+
+
+def option(name):
+    """The cell with an option's value."""
+    table = widget(QtGui.QTableWidget, "options")
+    names = [table.item(row, 0).text() for row in range(table.rowCount())]
+    return table.item(names.index(name), 2)
+
+
+def test_tetgen_panel_switches_and_options_follow_each_other(document, box):
+    pick(box, "Solid1")
+    run("NMGS_TetGenMesh")
+    made = document.getObject("TetGenMesh")
+    before = made.Switches
+    open_panel(made)
+    switches = widget(QtGui.QLineEdit, "switches")
+    problem = FreeCADGui.getMainWindow().findChild(QtGui.QLabel, "problem")
+    switches.setText("pq1.4a20")
+    assert option("plc").checkState() == QtCore.Qt.Checked
+    assert float(option("radius edge ratio").text()) == 1.4
+    assert float(option("max volume").text()) == 20
+    option("max volume").setText("5")
+    option("radius edge ratio").setText("1.6")
+    option("order").setText("2")
+    parsed = nmgs.TetOptions.parse(switches.text())
+    assert (parsed.max_volume, parsed.radius_edge_ratio, parsed.order) == (5, 1.6, 2)
+    assert parsed.plc and parsed.quality and not problem.text()
+    screenshot("panel_tetgen")
+    option("max volume").setText("much")
+    assert "max_volume" in problem.text() and "much" in problem.text()
+    option("max volume").setText("")
+    assert not problem.text() and nmgs.TetOptions.parse(switches.text()).max_volume is None
+    switches.setText("pq1.4@")
+    assert "@" in problem.text()
+    preset = widget(QtGui.QComboBox, "preset")
+    preset.setCurrentIndex(preset.findText("Mesh of the boundary"))
+    assert switches.text() == "p" and not problem.text()
+    assert option("quality").checkState() == QtCore.Qt.Unchecked
+    press("Cancel")
+    assert made.Switches == before
+
+
+def test_tetgen_panel_shows_the_log(document, box):
+    pick(box, "Solid1")
+    run("NMGS_TetGenMesh")
+    made = document.getObject("TetGenMesh")
+    open_panel(made)
+    widget(QtGui.QLineEdit, "switches").setText("pq1.5")
+    press("Apply")
+    log = widget(QtGui.QPlainTextEdit, "log").toPlainText()
+    assert "Delaunizing" in log and "Statistics" in log
+    press("OK")
 
 
 def test_patches_panel(document, box):
