@@ -52,17 +52,6 @@ class CadLink:
         at = 27 * block + part
         return self.entities[self.offsets[at] : self.offsets[at + 1]]
 
-    def of_node(self, block: int, node: int, nodes_per_element: int) -> np.ndarray:
-        """Entities of the part at a corner or mid-side node (0-based)."""
-        return self.of(block, _PART_OF_NODE[nodes_per_element][node])
-
-
-#: Part of each node, from its natural coordinates -1, 0, 1.
-_PART_OF_NODE = {
-    8: (0, 2, 8, 6, 1, 5, 7, 3),
-    20: (0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15),
-}
-
 
 class BlockModel:
     """Curved elements in the thesis's node order, with their divisions.

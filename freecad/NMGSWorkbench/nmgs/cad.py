@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import Any, Callable, List, Optional, Sequence, Tuple
 
-import numpy as np
-
 from . import _kernel
 from .block_model import BlockModel, CadLink
 from .errors import BlockingError, GeometryError
@@ -142,8 +140,3 @@ def generate_on_cad(
         force=force,
         progress=progress,
     )
-
-
-def part_entities(model: BlockModel, block: int, part: int) -> np.ndarray:
-    """Entities (dimension, 1-based index) that a part of a block lies on; see CadLink."""
-    return model.cad.of(block, part) if model.cad is not None else np.zeros((0, 2), np.int32)
