@@ -12,7 +12,7 @@
 
 namespace nmgs::cad {
 
-std::optional<FourSides> four_sides(const CadShape &shape, int face, SidesRefusal &refusal) {
+std::optional<FourSides> four_sides(const CadShape &shape, int face, Refusal &refusal) {
     // A reversed face hands its orientation on to its wires and edges, so that the explorer runs
     // counter-clockwise about the outward normal in any case.
     const TopoDS_Face oriented = shape.face(face);

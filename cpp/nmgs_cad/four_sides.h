@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nmgs_cad/cad_shape.h"
+#include "nmgs_cad/refusal.h"
 
 #include <array>
 #include <optional>
@@ -17,13 +18,7 @@ struct FourSides {
     std::array<int, 4> corner;
 };
 
-// Why a face is not four-sided, in words, and what stands in the way.
-struct SidesRefusal {
-    std::string reason;
-    std::vector<std::string> blockers;
-};
-
 // The sides, or nothing and the refusal.
-std::optional<FourSides> four_sides(const CadShape &shape, int face, SidesRefusal &refusal);
+std::optional<FourSides> four_sides(const CadShape &shape, int face, Refusal &refusal);
 
 } // namespace nmgs::cad

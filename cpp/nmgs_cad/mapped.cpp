@@ -55,7 +55,7 @@ void refuse(CadBlocks &blocks, CadEntity entity, std::string reason,
 } // namespace
 
 void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks) {
-    SidesRefusal refusal;
+    Refusal refusal;
     const auto sides = four_sides(shape, face, refusal);
     if (!sides) {
         refuse(blocks, {2, face}, refusal.reason, refusal.blockers);
@@ -203,7 +203,7 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
     // The orientation of a face inside this solid, not that of its first use in the shape.
     for (TopExp_Explorer it(shape.solid(solid), TopAbs_FACE); it.More(); it.Next()) {
         const int face = shape.faces.FindIndex(it.Current());
-        SidesRefusal refusal;
+        Refusal refusal;
         auto four = four_sides(shape, face, refusal);
         if (!four) {
             refuse(blocks, me, refusal.reason, refusal.blockers);

@@ -29,7 +29,7 @@ gp_Vec vector_area(const CadShape &shape, const FourSides &sides) {
 TEST(FourSides, RunCounterClockwiseAboutTheOutwardNormalOfEachFaceOfABox) {
     const CadShape shape = make_shape(BRepPrimAPI_MakeBox(3, 2, 1).Shape());
     for (int n = 1; n <= 6; ++n) {
-        SidesRefusal refusal;
+        Refusal refusal;
         const auto sides = four_sides(shape, n, refusal);
         ASSERT_TRUE(sides) << refusal.reason;
         GProp_GProps properties;
@@ -43,7 +43,7 @@ TEST(FourSides, RunCounterClockwiseAboutTheOutwardNormalOfEachFaceOfABox) {
 TEST(FourSides, EachSideJoinsItsTwoCorners) {
     const CadShape shape = make_shape(BRepPrimAPI_MakeBox(3, 2, 1).Shape());
     for (int n = 1; n <= 6; ++n) {
-        SidesRefusal refusal;
+        Refusal refusal;
         const auto sides = four_sides(shape, n, refusal);
         ASSERT_TRUE(sides);
         for (std::size_t i = 0; i < 4; ++i) {
@@ -58,7 +58,7 @@ TEST(FourSides, RefusalsSayWhyAndNameTheCulprit) {
     const CadShape cylinder = make_shape(BRepPrimAPI_MakeCylinder(1, 2).Shape());
     int seams = 0;
     for (int n = 1; n <= cylinder.faces.Extent(); ++n) {
-        SidesRefusal refusal;
+        Refusal refusal;
         EXPECT_FALSE(four_sides(cylinder, n, refusal));
         EXPECT_NE(refusal.reason.find("Face" + std::to_string(n)), std::string::npos);
         ASSERT_FALSE(refusal.blockers.empty());
@@ -66,7 +66,7 @@ TEST(FourSides, RefusalsSayWhyAndNameTheCulprit) {
     }
     EXPECT_EQ(seams, 1);
     const CadShape ball = make_shape(BRepPrimAPI_MakeSphere(1).Shape());
-    SidesRefusal refusal;
+    Refusal refusal;
     EXPECT_FALSE(four_sides(ball, 1, refusal));
     EXPECT_FALSE(refusal.reason.empty());
 }
