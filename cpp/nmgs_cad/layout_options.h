@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "nmgs/support/progress.h"
+#include "nmgs_cad/layout.h"
+#include "nmgs_cad/refusal.h"
+
+#include <numbers>
+
+namespace nmgs::cad {
+
+// How coarse a layout is. The blocks are divided later; a layout only needs to be as fine as the
+// shape asks for.
+struct LayoutOptions {
+    double size = 0; // longest segment of an edge; 0: as long as the shape allows
+    double angle = std::numbers::pi / 2; // largest turn of an edge along one segment, in radians
+};
+
+// A way to fill a solid with hexahedra. True: they were added to the layout. False: the layout is
+// as it was and the refusal says why. What the layout already has on the solid's edges and faces
+// (from its neighbours) is kept, or is a reason to refuse.
+using FillSolid = bool (*)(const CadShape &shape, int solid, Layout &layout,
+                           const LayoutOptions &options, Refusal &refusal,
+                           const Progress &progress);
+
+} // namespace nmgs::cad
