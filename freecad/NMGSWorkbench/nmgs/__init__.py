@@ -18,6 +18,7 @@ from .io import read, write
 from .mesh import Mesh
 from .plc import PLC
 from .plc_problem import PLCProblem
+from .refit import refit
 from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
@@ -36,6 +37,7 @@ __all__ = [
     "fit",
     "grading",
     "read",
+    "refit",
     "to_fem",
     "tetrahedralize",
     "shapes",
