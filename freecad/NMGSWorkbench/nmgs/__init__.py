@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
-from . import grading, shapes
+from . import grading, shapes, sizing
 from .block_model import BlockModel
 from .cad import fit
 from .errors import (
@@ -41,5 +41,6 @@ __all__ = [
     "to_fem",
     "tetrahedralize",
     "shapes",
+    "sizing",
     "write",
 ]
