@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "arrays.h"
 #include "block_model.h"
+#include "cad_refit.h"
 #include "cad_tessellate.h"
 #include "errors.h"
 #include "mesh.h"
@@ -8,6 +9,7 @@
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/mapped.h"
 #include "nmgs_cad/refine.h"
+#include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/version.h"
 
 #include <memory>
@@ -37,15 +39,23 @@ py::dict entry_dict(const cad::FitEntry &entry) {
 
 // {nodes, offsets, entities, report} of faces (dimension 2) or solids (3).
 py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices,
-             double tolerance, const py::object &progress) {
+             double tolerance, const std::string &method, const py::object &progress) {
     CadBlocks blocks;
     blocks.model.dimension = dimension;
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        for (const int n : indices) {
-            dimension == 2 ? cad::fit_mapped_face(shape, n, blocks)
-                           : cad::fit_mapped_solid(shape, n, blocks);
+        if (dimension == 2) {
+            for (const int n : indices) {
+                cad::fit_mapped_face(shape, n, blocks);
+            }
+        } else {
+            cad::Layout layout(shape);
+            cad::SolidLayoutOptions options;
+            options.method = method;
+            auto report = cad::layout_solids(shape, indices, layout, options, listener);
+            blocks = cad::blocks_of(shape, layout, 3);
+            blocks.report = std::move(report);
         }
         constexpr int rounds = 6;
         blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
@@ -113,10 +123,18 @@ PYBIND11_MODULE(cad, module) {
                                [](const nmgs::cad::CadShape &s) { return s.vertices.Extent(); })
         .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
     module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"),
-               py::arg("tolerance"), py::arg("progress") = py::none());
+               py::arg("tolerance"), py::arg("method"), py::arg("progress") = py::none());
+    module.def("solid_strategies", [] {
+        std::vector<std::string> names;
+        for (const auto &strategy : nmgs::cad::solid_strategies()) {
+            names.emplace_back(strategy.name);
+        }
+        return names;
+    });
     module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none());
+    bind_refit(module);
     bind_tessellate(module);
 }

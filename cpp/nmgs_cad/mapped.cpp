@@ -184,30 +184,61 @@ std::array<Vec3, 20> nodes_of(const CadShape &shape, const BlockParts &parts) {
     return nodes;
 }
 
+// The block's corners, its quads on the CAD's faces, and itself.
+bool add_block(const CadShape &shape, int solid, const SolidSides &sides, const BlockParts &parts,
+               Layout &layout, Refusal &refusal) {
+    Layout::Hexa hexa{{}, solid};
+    for (std::size_t n = 0; n < 8; ++n) {
+        hexa.points[n] = layout.vertex(shape, parts[static_cast<std::size_t>(part_of_node(3, n))]);
+    }
+    for (const auto &[ends, edge] : sides.edge) {
+        if (layout.divide_edge(shape, edge, {}).size() != 2) {
+            refusal = {entity_name(1, edge) + " is divided already", {entity_name(1, edge)}};
+            return false;
+        }
+    }
+    for (const auto &[face, four] : sides.of_face) {
+        const auto there = layout.quads_of(face).size();
+        if (there > 1) {
+            refusal = {entity_name(2, face) + " is divided already", {entity_name(2, face)}};
+            return false;
+        }
+        if (there == 0) {
+            // four_sides() runs about the normal that the face has in the shape.
+            Refusal none;
+            const auto corners = four_sides(shape, face, none)->corner;
+            Layout::Quad quad{{}, face};
+            for (std::size_t i = 0; i < 4; ++i) {
+                quad.points[i] = layout.vertex(shape, corners[i]);
+            }
+            layout.quads.push_back(quad);
+        }
+    }
+    layout.hexas.push_back(hexa);
+    return true;
+}
+
 } // namespace
 
-void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
-    const CadEntity me{3, solid};
+bool fill_mapped(const CadShape &shape, int solid, Layout &layout, const LayoutOptions & /*o*/,
+                 Refusal &refusal, const Progress & /*progress*/) {
     const std::string name = entity_name(3, solid);
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape.solid(solid), TopAbs_FACE, faces);
     if (faces.Extent() != 6) {
-        refuse(blocks, me,
-               name + " has " + std::to_string(faces.Extent()) +
-                   " faces; six with four sides each are needed",
-               {name});
-        return;
+        refusal = {name + " has " + std::to_string(faces.Extent()) +
+                       " faces; six with four sides each are needed",
+                   {name}};
+        return false;
     }
     SolidSides sides;
     std::set<int> corners;
     // The orientation of a face inside this solid, not that of its first use in the shape.
     for (TopExp_Explorer it(shape.solid(solid), TopAbs_FACE); it.More(); it.Next()) {
         const int face = shape.faces.FindIndex(it.Current());
-        Refusal refusal;
         auto four = four_sides(shape, face, refusal);
         if (!four) {
-            refuse(blocks, me, refusal.reason, refusal.blockers);
-            return;
+            return false;
         }
         if (shape.face(face).Orientation() != it.Current().Orientation()) {
             const FourSides other = *four;
@@ -223,16 +254,14 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
         sides.of_face[face] = *four;
     }
     if (corners.size() != 8 || sides.edge.size() != 12) {
-        refuse(blocks, me,
-               name + " has six four-sided faces, but " + std::to_string(corners.size()) +
-                   " corners and " + std::to_string(sides.edge.size()) +
-                   " edges; a block has 8 and 12",
-               {name});
-        return;
+        refusal = {name + " has six four-sided faces, but " + std::to_string(corners.size()) +
+                       " corners and " + std::to_string(sides.edge.size()) +
+                       " edges; a block has 8 and 12",
+                   {name}};
+        return false;
     }
 
     BlockParts best{};
-    std::array<Vec3, 20> nodes{};
     double best_alignment = -4;
     for (const auto &[face, four] : sides.of_face) {
         for (std::size_t start = 0; start < 8; ++start) {
@@ -245,29 +274,15 @@ void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks) {
             if (a > best_alignment + 1e-9 && hexa20::jacobian(candidate, 0, 0, 0) > 0) {
                 best_alignment = a;
                 best = parts;
-                nodes = candidate;
             }
         }
     }
     if (best_alignment == -4) {
-        refuse(blocks, me, name + " has six four-sided faces that do not join as a block's do",
-               {name});
-        return;
+        refusal = {name + " has six four-sided faces that do not join as a block's do", {name}};
+        return false;
     }
 
-    FitEntry entry;
-    entry.entity = me;
-    entry.method = "mapped";
-    entry.first_block = static_cast<std::int32_t>(blocks.model.size());
-    entry.blocks = 1;
-    std::array<std::vector<CadEntity>, part::count> on;
-    for (int code = 0; code < part::count; ++code) {
-        const auto c = static_cast<std::size_t>(code);
-        const int dimension = part::dimension(code);
-        on[c] = {{dimension, dimension == 3 ? solid : best[c]}};
-    }
-    append(blocks, nodes, on);
-    blocks.report.push_back(entry);
+    return add_block(shape, solid, sides, best, layout, refusal);
 }
 
 } // namespace nmgs::cad

@@ -4,6 +4,7 @@
 
 #include "nmgs_cad/cad_blocks.h"
 #include "nmgs_cad/cad_shape.h"
+#include "nmgs_cad/layout_options.h"
 
 namespace nmgs::cad {
 
@@ -12,7 +13,8 @@ namespace nmgs::cad {
 // not measured here.
 void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks);
 
-// The same for solid n and one 20-node block. xi, eta, zeta run along x, y, z as nearly as can be.
-void fit_mapped_solid(const CadShape &shape, int solid, CadBlocks &blocks);
+// One block for a solid with six such faces. xi, eta, zeta run along x, y, z as nearly as can be.
+bool fill_mapped(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
+                 Refusal &refusal, const Progress &progress);
 
 } // namespace nmgs::cad

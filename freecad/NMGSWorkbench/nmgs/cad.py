@@ -10,7 +10,7 @@ from .block_model import BlockModel, CadLink
 from .errors import BlockingError, GeometryError
 
 #: Strategies by name; "auto" takes the best.
-METHODS = ("auto", "mapped")
+METHODS = ("auto", "mapped", "mid-point")
 
 
 def fit(
@@ -45,7 +45,7 @@ def fit(
     kernel = _kernel.cad()
     cad_shape = kernel.CadShape(brep_bytes(part))
     accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
-    raw = kernel.fit(cad_shape, dimension, indices, accepted, progress)
+    raw = kernel.fit(cad_shape, dimension, indices, accepted, method, progress)
     report = raw["report"]
     if not len(raw["nodes"]):
         names = [entry["entity"] for entry in report]
