@@ -37,7 +37,7 @@ py::dict entry_dict(const cad::FitEntry &entry) {
     return d;
 }
 
-// {nodes, offsets, entities, report} of faces (dimension 2) or solids (3).
+// {nodes, corners, offsets, entities, report} of faces (dimension 2) or solids (3).
 py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices,
              double tolerance, const std::string &method, const py::object &progress) {
     CadBlocks blocks;
@@ -79,15 +79,22 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
     result["nodes"] = give<double>(std::move(nodes), {size, blocks.model.nodes_per_element(), 3});
     result["offsets"] = give<std::int32_t>(std::move(blocks.binding.offsets), {offsets});
     result["entities"] = give<std::int32_t>(std::move(entities), {count, 2});
+    if (blocks.model.corners.empty()) {
+        result["corners"] = py::none();
+    } else {
+        const int corners = blocks.model.corners_per_element();
+        result["corners"] = give<std::int32_t>(std::move(blocks.model.corners), {size, corners});
+    }
     result["report"] = report;
     return result;
 }
 
 py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const IntArray &divisions,
                        const py::object &spacing, const IntArray &offsets, const IntArray &entities,
-                       int order, double tolerance, bool force, const py::object &progress) {
+                       int order, double tolerance, bool force, const py::object &progress,
+                       const std::optional<IntArray> &corners) {
     CadBlocks blocks;
-    blocks.model = block_model_of(nodes, divisions, spacing);
+    blocks.model = block_model_of(nodes, divisions, spacing, corners);
     blocks.binding.offsets.assign(offsets.data(), offsets.data() + offsets.size());
     const auto view = entities.unchecked<2>();
     for (py::ssize_t e = 0; e < view.shape(0); ++e) {
@@ -134,7 +141,7 @@ PYBIND11_MODULE(cad, module) {
     module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("force") = false,
-               py::arg("progress") = py::none());
+               py::arg("progress") = py::none(), py::arg("corners") = py::none());
     bind_refit(module);
     bind_tessellate(module);
 }
