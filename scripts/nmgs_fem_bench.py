@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""nmgs.to_fem beside the bare calls of FreeCAD's FemMesh for the same arrays. See scripts/bench-fem.
+"""nmgs.to_fem beside the bare calls of FemMesh for the same arrays. See scripts/bench-fem.
 
 Processor time, the smallest of some runs each, in turns: other work on the machine disturbs little.
 """
