@@ -98,7 +98,8 @@ class MeshView(ViewProvider):
         return [blocks] if blocks else []
 
     def updateData(self, obj: Any, prop: str) -> None:
-        if prop in ("Content", "Data"):
+        # Set last whenever the mesh changes, by undo as well.
+        if prop == "Content":
             self.redraw(obj.ViewObject)
 
     def onChanged(self, vobj: Any, prop: str) -> None:
