@@ -2,6 +2,7 @@
 #include "arrays.h"
 #include "block_model.h"
 #include "cad_tessellate.h"
+#include "cad_tets.h"
 #include "errors.h"
 #include "mesh.h"
 
@@ -135,4 +136,5 @@ PYBIND11_MODULE(cad, module) {
                py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none());
     bind_tessellate(module);
+    bind_tets(module);
 }
