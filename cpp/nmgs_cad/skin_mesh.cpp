@@ -812,14 +812,13 @@ void SkinMesh::pass(const Progress &progress, double from, double to) {
     poll(progress, to);
 }
 
-double SkinMesh::corner_angle(std::int32_t face, std::int32_t b, std::int32_t a, std::int32_t c) {
+double SkinMesh::corner_angle(std::int32_t b, std::int32_t a, std::int32_t c) {
     const auto away = [&](std::int32_t n) {
         const std::int32_t e = segment(b, n);
         const auto [tb, tn] = parameters(b, n, e);
         const Vec3 d = tangent(e, tb);
         return tn > tb ? d : -1.0 * d;
     };
-    (void)face;
     return angle_between(away(a), away(c));
 }
 
@@ -848,6 +847,9 @@ void SkinMesh::part_twins() {
 
 void SkinMesh::cut_ears() {
     constexpr double flat = 2.5; // radians
+    const auto ear = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+        return segment(a, b) != 0 && segment(b, c) != 0 && corner_angle(b, a, c) > flat;
+    };
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const Triangle triangle = triangles[t];
         if (triangle.face == 0) {
@@ -857,8 +859,7 @@ void SkinMesh::cut_ears() {
             const std::int32_t b = triangle.p[i];
             const std::int32_t c = triangle.p[(i + 1) % 3];
             const std::int32_t a = triangle.p[(i + 2) % 3];
-            if (segment(a, b) == 0 || segment(b, c) == 0 ||
-                corner_angle(triangle.face, b, a, c) < flat) {
+            if (!ear(a, b, c)) {
                 continue;
             }
             if (segment(a, c) != 0) {
@@ -889,7 +890,7 @@ void SkinMesh::cut_ears() {
                         }
                     }
                 }
-                if (d >= 0 && between(b, d).empty()) {
+                if (d >= 0 && between(b, d).empty() && !ear(b, c, d) && !ear(b, a, d)) {
                     const Score one = score(triangle.face, {b, c, d});
                     const Score two = score(triangle.face, {b, d, a});
                     good = std::min(one.normal, two.normal) > least_normal &&

@@ -105,7 +105,8 @@ private:
     bool smooth_point(std::int32_t n);
     Vec3 tangent(std::int32_t edge, double t) const;
     std::int32_t new_point(const SkinPoint &point);
-    double corner_angle(std::int32_t face, std::int32_t at, std::int32_t a, std::int32_t b);
+    // Between the segments from b to a and to c.
+    double corner_angle(std::int32_t b, std::int32_t a, std::int32_t c);
 
     const CadShape &shape_;
     const SkinOptions &options_;
