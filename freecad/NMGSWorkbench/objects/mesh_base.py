@@ -11,6 +11,7 @@ from ..fem.fem_mesh import fem_mesh
 from ..fem.from_fem_mesh import mesh_of
 from ..nmgs.mesh import CELL_TYPES
 from .base import DocumentObject
+from .run import run
 
 FIGURES = (
     ("App::PropertyInteger", "NodeCount", "Figures", "Number of nodes", None, 1),
@@ -61,7 +62,7 @@ class MeshObject(DocumentObject):
     def put(self, obj: Any, mesh: nmgs.Mesh) -> None:
         """Makes the mesh obj's own, with its figures."""
         worst = worst_scaled_jacobian(mesh)
-        prepared = fem_mesh(mesh)
+        prepared = run(lambda progress: fem_mesh(mesh, progress), "Making the FEM mesh")
         if self._shown and self._shown not in (self._kept or {}):
             self._keep(self._shown, self.mesh(obj))
         obj.FemMesh = prepared
