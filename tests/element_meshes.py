@@ -70,7 +70,14 @@ def mixed(order=1):
     shared = [3, 7, 4, 0] if points[last[0], 0] < 4.5 else [1, 5, 6, 2]
     pyramids = np.concatenate([pyramids, [[*last[shared], tip]]])
     tets = []
-    for face in ([0, 1, 2, 3], [4, 7, 6, 5], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3], [3, 7, 4, 0]):
+    for face in (
+        [0, 1, 2, 3],
+        [4, 7, 6, 5],
+        [0, 4, 5, 1],
+        [1, 5, 6, 2],
+        [2, 6, 7, 3],
+        [3, 7, 4, 0],
+    ):
         if set(face) != set(shared):
             a, b, c, d = last[face]
             tets += [[a, b, c, tip], [a, c, d, tip]]
