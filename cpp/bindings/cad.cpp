@@ -3,6 +3,7 @@
 #include "block_model.h"
 #include "cad_refit.h"
 #include "cad_tessellate.h"
+#include "cad_tets.h"
 #include "errors.h"
 #include "mesh.h"
 
@@ -137,4 +138,5 @@ PYBIND11_MODULE(cad, module) {
                py::arg("progress") = py::none());
     bind_refit(module);
     bind_tessellate(module);
+    bind_tets(module);
 }

@@ -30,17 +30,25 @@ def write_vtu(path: str, mesh: Mesh) -> None:
     _write(path, mesh.points, blocks, "vtu", cell_data=data, point_data=points)
 
 
-def _write(path: str, points: np.ndarray, blocks: list, file_format: str, **sets: Any) -> None:
+def module() -> Any:
+    """meshio; version 5.0 (Debian 12) lacks the dimension of two cells that it reads and writes."""
     import meshio
+    from meshio import _mesh
 
+    for name in ("wedge15", "pyramid13"):
+        getattr(_mesh, "topological_dimension", {}).setdefault(name, 3)
+    return meshio
+
+
+def _write(path: str, points: np.ndarray, blocks: list, file_format: str, **sets: Any) -> None:
+    meshio = module()
     with temporary_beside(path) as temporary:
         meshio.Mesh(points, blocks, **sets).write(temporary, file_format=file_format)
 
 
 def read_mesh(path: str) -> Mesh:
     """The points, cells and sets of a .vtu, .vtk or .inp file. Raises FormatError."""
-    import meshio
-
+    meshio = module()
     if not os.path.exists(path):
         raise FileNotFoundError(f"no such file: {path}")
     try:

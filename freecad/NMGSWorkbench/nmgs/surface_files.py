@@ -28,7 +28,9 @@ def plc_of_file(path: str) -> PLC:
     if extension == "off":
         return PLC.of_arrays(_kernel.core().read_off(path))
     if extension == "stl":
-        return PLC.of_arrays(_kernel.core().read_stl(path))
+        plc = PLC.of_arrays(_kernel.core().read_stl(path))
+        plc.stl = True
+        return plc
     if extension == "mesh":
         points, blocks = _kernel.core().read_medit(path)
         return _plc_of_blocks(path, points, blocks)

@@ -24,6 +24,13 @@ def set_face_colour(vobj: Any, red: float, green: float, blue: float) -> None:
         vobj.ShapeAppearance = (FreeCAD.Material(DiffuseColor=(red, green, blue)),)
 
 
+def face_colour(vobj: Any) -> Tuple[float, float, float]:
+    """Colour of the faces, red, green, blue."""
+    if "ShapeColor" in vobj.PropertiesList:
+        return tuple(vobj.ShapeColor[:3])
+    return tuple(vobj.ShapeAppearance[0].DiffuseColor[:3])
+
+
 class ViewProvider:
     """Base. A subclass sets `icon_name`, and `panel` (module, class in taskpanels) or none."""
 
@@ -42,6 +49,9 @@ class ViewProvider:
 
     def getIcon(self) -> str:
         return icon(self.icon_name)
+
+    def onChanged(self, vobj: Any, prop: str) -> None:
+        """A property of the view changed."""
 
     def claimChildren(self) -> List[Any]:
         return []
