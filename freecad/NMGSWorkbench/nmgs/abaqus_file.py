@@ -104,9 +104,7 @@ def _with_pyramids(mesh: Mesh, whole: str, part: str, collapsed: np.ndarray) -> 
     return Mesh(mesh.points, cells, groups)
 
 
-def write_inp(
-    path: str, mesh: Mesh, plane: Optional[str] = None, reduced: bool = False
-) -> None:
+def write_inp(path: str, mesh: Mesh, plane: Optional[str] = None, reduced: bool = False) -> None:
     """The cells of the highest dimension, with their groups as ELSET.
 
     Groups of nodes are NSET; a group of cells of a lower dimension is an NSET of its nodes, and one
