@@ -10,7 +10,7 @@ from .block_model import BlockModel, CadLink
 from .errors import BlockingError, GeometryError
 
 #: Strategies by name; "auto" takes the best.
-METHODS = ("auto", "mapped", "submap", "sweep", "mid-point")
+METHODS = ("auto", "mapped", "submap", "sweep", "mid-point", "general")
 
 
 def fit(
