@@ -5,6 +5,7 @@
 #include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/mapped.h"
 #include "nmgs_cad/midpoint.h"
+#include "nmgs_cad/primitive.h"
 #include "nmgs_cad/submap.h"
 #include "nmgs_cad/sweep.h"
 
@@ -26,6 +27,7 @@ namespace {
 
 constexpr SolidStrategy strategies[] = {
     {"mapped", &fill_mapped},
+    {"primitive", &fill_primitive},
     {"submap", &fill_submap},
     {"sweep", &fill_sweep},
     {"mid-point", &fill_midpoint},

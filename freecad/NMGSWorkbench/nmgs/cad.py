@@ -10,7 +10,7 @@ from .block_model import BlockModel, CadLink
 from .errors import BlockingError, GeometryError
 
 #: Strategies by name; "auto" takes the best.
-METHODS = ("auto", "mapped", "submap", "sweep", "mid-point", "general")
+METHODS = ("auto", "mapped", "primitive", "submap", "sweep", "mid-point", "ring", "general")
 
 
 def fit(
@@ -53,7 +53,7 @@ def fit(
         raise BlockingError("no blocks: " + "; ".join(reasons), names, reasons)
 
     model = BlockModel(raw["nodes"], 1)
-    model.cad = CadLink(cad_shape, raw["offsets"], raw["entities"])
+    model.cad = CadLink(cad_shape, raw["offsets"], raw["entities"], raw["corners"])
     model.set_divisions(cad_shape.diagonal / 30 if size is None else float(size))
     model.report = report
     return model
@@ -139,4 +139,5 @@ def generate_on_cad(
         tolerance=tolerance,
         force=force,
         progress=progress,
+        corners=link.corners,
     )

@@ -10,8 +10,11 @@ from typing import Any, Dict, Optional, Tuple
 #: format name -> (module beside this one, reader or "", writer or "")
 FORMATS: Dict[str, Tuple[str, str, str]] = {
     "inp": ("abaqus_file", "read_inp", "write_inp"),
-    "vtk": ("meshio_files", "read_mesh", ""),
-    "vtu": ("meshio_files", "read_mesh", "write_vtu"),
+    "vtk": ("vtk_file", "read_vtk", "write_vtk"),
+    "vtu": ("vtk_file", "read_vtk", "write_vtu"),
+    "msh": ("gmsh_file", "read_msh", "write_msh41"),
+    "msh22": ("gmsh_file", "read_msh", "write_msh22"),
+    "msh41": ("gmsh_file", "read_msh", "write_msh41"),
     "n2s": ("nmgs_files", "read_n2s", "write_n2s"),
     "n3s": ("nmgs_files", "read_n3s", "write_n3s"),
     "n2r": ("nmgs_files", "read_n2r", "write_n2r"),
