@@ -8,13 +8,14 @@
 #include "errors.h"
 #include "mesh.h"
 
+#include "nmgs_cad/face_layout.h"
 #include "nmgs_cad/generate_on_cad.h"
-#include "nmgs_cad/mapped.h"
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/version.h"
 
 #include <memory>
+#include <numbers>
 
 namespace nmgs::bindings {
 namespace {
@@ -35,9 +36,13 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
         if (dimension == 2) {
-            for (const int n : indices) {
-                cad::fit_mapped_face(shape, n, blocks);
-            }
+            cad::Layout layout(shape);
+            cad::LayoutOptions options;
+            options.angle = std::numbers::pi / 4;
+            std::vector<cad::FitEntry> report;
+            cad::layout_faces(shape, indices, layout, options, report, listener, method);
+            blocks = cad::blocks_of(shape, layout, 2);
+            blocks.report = std::move(report);
         } else {
             cad::Layout layout(shape);
             cad::SolidLayoutOptions options;

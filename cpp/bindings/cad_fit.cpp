@@ -19,6 +19,7 @@ py::dict entry_dict(const cad::FitEntry &entry) {
     d["first_block"] = entry.first_block;
     d["blocks"] = entry.blocks;
     d["error"] = entry.error;
+    d["quality"] = entry.quality;
     d["place"] = py::make_tuple(entry.place[0], entry.place[1], entry.place[2]);
     return d;
 }

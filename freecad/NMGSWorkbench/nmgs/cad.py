@@ -12,16 +12,9 @@ from .block_model import BlockModel, CadLink
 from .errors import BlockingError, GeometryError, TetGenError
 
 #: Strategies by name; "auto" takes the best.
-METHODS = (
-    "auto",
-    "mapped",
-    "primitive",
-    "submap",
-    "sweep",
-    "mid-point",
-    "cut",
-    tet_to_hexas.METHOD,
-)
+SOLID_METHODS = ("auto", "mapped", "primitive", "submap", "sweep", "mid-point", "cut", "tet-to-hex")
+FACE_METHODS = ("auto", "mapped", "mid-point", "ring", "general")
+METHODS = SOLID_METHODS + FACE_METHODS[3:]
 
 
 def fit(
