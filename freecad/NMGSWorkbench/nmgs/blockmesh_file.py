@@ -10,7 +10,7 @@ import numpy as np
 
 from .atomic import replaced_file
 from .block_model import BlockModel
-from .openfoam_files import header, word
+from .openfoam_files import REST, header, word
 
 #: Corners of the edges in the order of the thesis's mid-side nodes 9 to 20, 0-based.
 EDGES = (
@@ -66,7 +66,9 @@ def write_blockmesh(path: str, model: BlockModel, scale: float = 1.0) -> None:
             file.write(f"        simpleGrading ({gradings})\n")
         file.write(");\n\nedges\n(\n")
         _write_edges(file, model, number)
-        file.write(");\n\nboundary\n(\n")
+        # Without this, faces in no patch would be of the type "empty", which solvers refuse in 3D.
+        file.write(f");\n\ndefaultPatch\n{{\n    name {REST};\n    type patch;\n}}\n")
+        file.write("\nboundary\n(\n")
         _write_patches(file, model, number)
         file.write(");\n")
 

@@ -284,7 +284,9 @@ def _dictionary(path: str) -> List[Tuple[str, Dict[str, Any]]]:
     for name, body in re.findall(r"([\w.:+-]+)\s*\{([^{}]*)\}", re.sub(r"\{0\}", "", _list(path))):
         entries: Dict[str, Any] = {}
         for key, value in re.findall(r"(\w+)\s+([^;]*);", body):
-            numbers = re.search(r"\(([^()]*)\)", value)
-            entries[key] = [int(w) for w in numbers.group(1).split()] if numbers else value.strip()
+            words = re.search(r"\(([^()]*)\)", value)
+            listed = words.group(1).split() if words else None
+            whole = listed is not None and all(word.isdigit() for word in listed)
+            entries[key] = [int(w) for w in listed or ()] if whole else value.strip()
         result.append((name, entries))
     return result
