@@ -135,7 +135,28 @@ TopoDS_Shape arrange(const TopTools_ListOfShape &faces, double tolerance) {
     return fuse.IsDone() && !fuse.HasErrors() ? fuse.Shape() : TopoDS_Shape();
 }
 
-// Drops the faces over which nothing is solid, and notes where along the motion the others are.
+} // namespace
+
+Vec3 Motion::move(Vec3 p, double by) const {
+    gp_Pnt q(p.x, p.y, p.z);
+    if (turn) {
+        q.Rotate(axis, by);
+    } else {
+        q.Translate(gp_Vec(axis.Direction()) * by);
+    }
+    return {q.X(), q.Y(), q.Z()};
+}
+
+TopoDS_Shape Motion::move(const TopoDS_Shape &shape, double by) const {
+    gp_Trsf trsf;
+    if (turn) {
+        trsf.SetRotation(axis, by);
+    } else {
+        trsf.SetTranslation(gp_Vec(axis.Direction()) * by);
+    }
+    return shape.Moved(TopLoc_Location(trsf));
+}
+
 void fill_columns(const TopoDS_Solid &solid, const TopoDS_Shape &arrangement, Section &section) {
     BRepClass3d_SolidClassifier inside(solid);
     Handle(IntTools_Context) context = new IntTools_Context;
@@ -170,28 +191,6 @@ void fill_columns(const TopoDS_Solid &solid, const TopoDS_Shape &arrangement, Se
         }
     }
     section.cad = make_shape(kept);
-}
-
-} // namespace
-
-Vec3 Motion::move(Vec3 p, double by) const {
-    gp_Pnt q(p.x, p.y, p.z);
-    if (turn) {
-        q.Rotate(axis, by);
-    } else {
-        q.Translate(gp_Vec(axis.Direction()) * by);
-    }
-    return {q.X(), q.Y(), q.Z()};
-}
-
-TopoDS_Shape Motion::move(const TopoDS_Shape &shape, double by) const {
-    gp_Trsf trsf;
-    if (turn) {
-        trsf.SetRotation(axis, by);
-    } else {
-        trsf.SetTranslation(gp_Vec(axis.Direction()) * by);
-    }
-    return shape.Moved(TopLoc_Location(trsf));
 }
 
 bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, Section &section,

@@ -6,9 +6,9 @@
 #include "nmgs_cad/hexas_on_cad.h"
 #include "nmgs_cad/layout_options.h"
 
+#include <TopoDS_Solid.hxx>
 #include <gp_Ax1.hxx>
 
-#include <string>
 #include <vector>
 
 namespace nmgs::cad {
@@ -35,13 +35,22 @@ struct Section {
     std::vector<std::vector<char>> filled;
 };
 
-// How the motion's direction at p stands to a face.
-enum class Stance { wall, cap, neither };
-
 // The section of a solid along a direction. False and why: some face is neither wall nor cap, or an
 // edge runs across a wall.
 bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, Section &section,
                    Refusal &refusal);
+
+// The arrangement's faces over which the solid has anything become section.cad, and section.filled
+// is found; levels, base and motion are given.
+void fill_columns(const TopoDS_Solid &solid, const TopoDS_Shape &arrangement, Section &section);
+
+// Hexahedra over the quads of a section.
+struct Carried {
+    HexaMesh mesh;
+    // points[k][p]: the flat layout's point p at level k, -1 where nothing is.
+    std::vector<std::vector<std::int32_t>> points;
+};
+Carried carry_section(const Section &section, const Layout &flat);
 
 // Lays the section out in quads and carries them through the levels.
 bool sweep_section(const CadShape &shape, int solid, const Section &section, Layout &layout,

@@ -81,6 +81,10 @@ bool sweep_section(const CadShape &shape, int solid, const Section &section, Lay
     if (!layout_section(section.cad, flat, options, refusal, progress)) {
         return false;
     }
+    return add_hexas(shape, solid, carry_section(section, flat).mesh, layout, refusal);
+}
+
+Carried carry_section(const Section &section, const Layout &flat) {
     Carrier carrier{section, flat, middles_of(section.cad, flat), {}, {}};
     carrier.points.assign(section.levels.size(), std::vector<std::int32_t>(flat.points.size(), -1));
     const std::size_t intervals = section.levels.size() - (section.closed ? 0 : 1);
@@ -91,7 +95,7 @@ bool sweep_section(const CadShape &shape, int solid, const Section &section, Lay
             }
         }
     }
-    return add_hexas(shape, solid, carrier.mesh, layout, refusal);
+    return {std::move(carrier.mesh), std::move(carrier.points)};
 }
 
 } // namespace nmgs::cad

@@ -39,4 +39,7 @@ def test_all_is_seen(document, tmp_path):
         view = opened.getObject(name).ViewObject
         assert view.Proxy is not None and view.isVisible()
         assert view.Proxy.getIcon().endswith(".svg") and os.path.isfile(view.Proxy.getIcon())
-    assert opened.getObject("StructuredMesh").ViewObject.DisplayMode == "Faces & Wireframe"
+    mesh = opened.getObject("StructuredMesh").ViewObject
+    assert mesh.DisplayMode == "Elements"
+    wait_until(lambda: mesh.Proxy.scene.plot is not None)
+    assert len(mesh.Proxy.scene.plot.points)

@@ -12,6 +12,7 @@ from .base import Command
 
 
 class GenerateMesh(Command):
+    accel = "N, G"
     icon_name = "nmgs_generate_mesh"
     menu_text = "Generate mesh"
     tooltip = (

@@ -16,6 +16,7 @@ from .base import Command
 
 
 class TetGenMesh(Command):
+    accel = "N, T"
     icon_name = "nmgs_tetgen_mesh"
     menu_text = "TetGen mesh"
     tooltip = "Fill the picked solids, PLC, blocks or closed surface mesh with TetGen's tetrahedra"

@@ -8,6 +8,9 @@ from typing import Any, List, Optional, Sequence, Tuple
 
 import FreeCAD
 
+from . import stale
+
+stale.watch()
 #: Version of the properties written into documents; raised when their meaning changes.
 SCHEMA_VERSION = 1
 
@@ -60,6 +63,7 @@ class DocumentObject:
 
     def _add_properties(self, obj: Any) -> None:
         add_properties(obj, (_SCHEMA, *self.properties))
+        stale.add_property(obj)
         # Everything lies where its nodes are; a recompute takes any other placement back.
         obj.setEditorMode("Placement", 2)
 
@@ -71,9 +75,14 @@ class DocumentObject:
             obj.ViewObject.Visibility = True
 
     def execute(self, obj: Any) -> None:
+        # What has no result yet has nothing to be stale.
+        if getattr(obj, "ElementCount", 0) and not stale.at_once():
+            stale.mark(obj, True)
+            return
         self.failure = None
         try:
             self.compute(obj)
+            stale.mark(obj, False)
         except Exception as error:
             self.failure = error
             # FreeCAD writes a traceback of all callers into the report view; this one is enough.

@@ -6,10 +6,15 @@ from __future__ import annotations
 import hashlib
 from typing import Any, Dict, Optional
 
+import FreeCAD
+import numpy as np
+
 from .. import nmgs
+from ..fem import ask
 from ..fem.fem_mesh import fem_mesh
 from ..fem.from_fem_mesh import mesh_of
 from ..nmgs.mesh import CELL_TYPES
+from . import mesh_store
 from .base import DocumentObject
 from .run import run
 
@@ -32,13 +37,30 @@ FIGURES = (
         None,
         1,
     ),
+    (
+        "App::PropertyFileIncluded",
+        "Data",
+        "Mesh",
+        "The mesh while FemMesh is empty: it is large, and FEM has not asked for it yet",
+        None,
+        2,
+    ),
     ("App::PropertyString", "Content", "Figures", "Hash of the mesh", None, 2),
 )
+#: In the window, FemMesh of meshes of more elements is filled when FEM asks for it: FreeCAD's view
+#: of it holds the window up for about 10 s a million.
+MOST_FILLED = 50_000
+#: Ends Content while that is so.
+_HELD = ":held"
 
 
 #: Earlier meshes that are kept for undo: at most so many of an object, and so many bytes.
 _KEPT_MESHES = 20
 _KEPT_BYTES = 1 << 28
+
+
+ask.watch()
+_NOTHING = nmgs.Mesh(np.zeros((0, 3)), {})
 
 
 class MeshObject(DocumentObject):
@@ -61,11 +83,25 @@ class MeshObject(DocumentObject):
 
     def put(self, obj: Any, mesh: nmgs.Mesh) -> None:
         """Makes the mesh obj's own, with its figures."""
-        worst = worst_scaled_jacobian(mesh)
-        prepared = run(lambda progress: fem_mesh(mesh, progress), "Making the FEM mesh")
+        cells = sum(len(nodes) for nodes in mesh.cells.values())
+        late = FreeCAD.GuiUp and cells > MOST_FILLED
+        # Off the main thread, as all that takes long.
+        worst, shown, prepared = run(
+            lambda progress: (
+                worst_scaled_jacobian(mesh),
+                hash_of(mesh),
+                fem_mesh(mesh if not late else _NOTHING, progress),
+            ),
+            "Handing the mesh over",
+        )
         if self._shown and self._shown not in (self._kept or {}):
             self._keep(self._shown, self.mesh(obj))
         obj.FemMesh = prepared
+        if late:
+            mesh_store.put(obj, "Data", mesh)
+            shown += _HELD
+        elif obj.Data:
+            obj.Data = ""
         obj.NodeCount = len(mesh.points)
         top = max((CELL_TYPES[name][1] for name in mesh.cells), default=0)
         counts = {
@@ -75,18 +111,30 @@ class MeshObject(DocumentObject):
         obj.Elements = [f"{name}: {count}" for name, count in counts.items()]
         obj.WorstScaledJacobian = worst
         self._mesh = mesh
-        self._shown = hash_of(mesh)
+        self._shown = shown
         self._keep(self._shown, mesh)
         obj.Content = self._shown
 
     def mesh(self, obj: Any) -> nmgs.Mesh:
         """The mesh that the document holds, as the console API's type."""
         if self._mesh is None:
-            self._mesh = mesh_of(obj.FemMesh)
+            self._mesh = mesh_store.get(obj.Data) if obj.Data else mesh_of(obj.FemMesh)
         return self._mesh
 
+    def fill(self, obj: Any) -> None:
+        """Fills FemMesh where that was put off: FEM asks for it."""
+        if not obj.Data:
+            return
+        mesh = self.mesh(obj)
+        obj.FemMesh = run(lambda progress: fem_mesh(mesh), "Handing the mesh to FEM")
+        obj.Data = ""
+        self._mesh = mesh
+        self._shown = obj.Content.replace(_HELD, "")
+        self._keep(self._shown, mesh)
+        obj.Content = self._shown
+
     def onChanged(self, obj: Any, prop: str) -> None:
-        if prop == "FemMesh":
+        if prop in ("FemMesh", "Data"):
             self._mesh = None
         elif prop == "Content" and self._shown and obj.Content != self._shown:
             self._bring_back(obj)
@@ -112,7 +160,7 @@ class MeshObject(DocumentObject):
             obj.touch()
             return
         self._shown = obj.Content
-        obj.FemMesh = fem_mesh(mesh)
+        obj.FemMesh = fem_mesh(_NOTHING if obj.Content.endswith(_HELD) else mesh)
         self._mesh = mesh
 
 

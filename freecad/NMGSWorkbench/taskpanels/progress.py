@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import sys
 import threading
-from typing import Any
+import time
+from typing import Any, Callable
 
 import FreeCAD
 import FreeCADGui
@@ -13,9 +15,12 @@ from PySide import QtCore, QtGui
 from ..nmgs.errors import Cancelled
 from ..objects import run
 
-#: Work shorter than this shows no dialog and handles no events.
+#: Work shorter than this handles no events at all.
+INSTANT_S = 0.05
+#: Work shorter than this shows no dialog; the window is drawn, but clicks and keys wait.
 PATIENCE_S = 0.4
 _POLL_MS = 40
+_SWITCH_S = 0.0005
 
 
 class _Worker(threading.Thread):
@@ -40,6 +45,29 @@ class _Worker(threading.Thread):
             self.error = error
 
 
+def _loop(
+    worker: _Worker,
+    poll: Callable[[], None],
+    seconds: float = 1e9,
+    flags: Any = QtCore.QEventLoop.AllEvents,
+) -> None:
+    """Handles events until the worker is done or the time is over."""
+    loop = QtCore.QEventLoop()
+    timer = QtCore.QTimer()
+    end = time.monotonic() + seconds
+
+    def tick() -> None:
+        if not worker.is_alive() or time.monotonic() > end:
+            loop.quit()
+        else:
+            poll()
+
+    timer.timeout.connect(tick)
+    timer.start(_POLL_MS)
+    (loop.exec if hasattr(loop, "exec") else loop.exec_)(flags)
+    timer.stop()
+
+
 def _wait_behind_dialog(worker: _Worker, text: str) -> None:
     # The dialog is modal for the whole application: nobody changes the document meanwhile.
     dialog = QtGui.QProgressDialog(text, "Cancel", 0, 0, FreeCADGui.getMainWindow())
@@ -49,13 +77,9 @@ def _wait_behind_dialog(worker: _Worker, text: str) -> None:
     dialog.setMinimumDuration(0)
     dialog.setAutoClose(False)
     dialog.setAutoReset(False)
-    loop = QtCore.QEventLoop()
-    timer = QtCore.QTimer()
 
     def poll() -> None:
-        if not worker.is_alive():
-            loop.quit()
-        elif worker.cancelled:
+        if worker.cancelled:
             dialog.setLabelText("Stopping")
         elif worker.fraction >= 0.0:
             dialog.setMaximum(1000)
@@ -67,11 +91,8 @@ def _wait_behind_dialog(worker: _Worker, text: str) -> None:
         dialog.show()
 
     dialog.canceled.connect(cancel)
-    timer.timeout.connect(poll)
-    timer.start(_POLL_MS)
     dialog.show()
-    getattr(loop, "exec", None)() if hasattr(loop, "exec") else loop.exec_()
-    timer.stop()
+    _loop(worker, poll)
     dialog.canceled.disconnect(cancel)
     dialog.hide()
     dialog.deleteLater()
@@ -84,10 +105,19 @@ def run_behind_dialog(job: run.Job, text: str) -> Any:
         return job(None)
     worker = _Worker(job)
     worker.start()
-    worker.join(PATIENCE_S)
-    if worker.is_alive():
-        _wait_behind_dialog(worker, text)
-    worker.join()
+    worker.join(INSTANT_S)
+    interval = sys.getswitchinterval()
+    # Each of Qt's calls into Python waits so long for a worker that is in Python as well.
+    sys.setswitchinterval(_SWITCH_S)
+    try:
+        if worker.is_alive():
+            waiting = QtCore.QEventLoop.ExcludeUserInputEvents
+            _loop(worker, lambda: None, PATIENCE_S - INSTANT_S, waiting)
+        if worker.is_alive():
+            _wait_behind_dialog(worker, text)
+        worker.join()
+    finally:
+        sys.setswitchinterval(interval)
     if worker.cancelled:
         raise Cancelled(f"{text}: cancelled")
     if worker.error is not None:

@@ -3,15 +3,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from .base import ViewProvider, set_face_colour
+from .mesh_view import MeshView
 
 
-class TetGenMeshView(ViewProvider):
+class TetGenMeshView(MeshView):
     icon_name = "nmgs_tetgen_mesh"
     panel = ("tetgen_mesh", "TetGenMeshPanel")
-
-    def dress(self, vobj: Any) -> None:
-        set_face_colour(vobj, 0.55, 0.80, 0.55)
-        vobj.BackfaceCulling = False
+    colour = (0.55, 0.80, 0.55)

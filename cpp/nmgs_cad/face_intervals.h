@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How many segments each edge of some faces gets.
+#pragma once
+
+#include "nmgs_cad/edge_sizes.h"
+#include "nmgs_cad/face_mapped.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace nmgs::cad {
+
+struct FacePlan {
+    int face = 0;
+    FaceLoops loops;
+    std::optional<LogicalSides> sides; // four sides that can be made equal in pairs
+};
+
+// At least what the sizes ask for; edges that the layout has already keep their segments. Opposite
+// sides of faces with four logical sides get equal numbers: single edges by equality, chains of
+// edges by adding to the shorter side. A face for which this cannot be done loses its sides. All
+// other faces get an even number on their boundary, three or more on each loop. No two edges
+// between the same vertices have a single segment each.
+std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan> &plans,
+                                    const EdgeSizes &sizes, const Layout &layout);
+
+} // namespace nmgs::cad
