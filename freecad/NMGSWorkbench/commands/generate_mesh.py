@@ -30,6 +30,8 @@ class GenerateMesh(Command):
             made.Blocks = blocks
             self.computed(made)
             warn_of_quality(self.menu_text, made)
+            # The mesh would be covered with them.
+            blocks.ViewObject.ShowCounts = False
             # The mesh lies in the surfaces of the part and would not be seen behind them.
             for part, _ in blocks.Source:
                 part.Visibility = False

@@ -187,7 +187,7 @@ def arrow(tip: Sequence[float], direction: Sequence[float], length: float, colou
     cone = coin.SoCone()
     cone.height = length
     cone.bottomRadius = 0.28 * length
-    for child in (material(colour), turn, cone):
+    for child in (flat(), base_colour(colour), turn, cone):
         node.addChild(child)
     return node
 
