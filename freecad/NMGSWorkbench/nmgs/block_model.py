@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Callable, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -155,6 +155,12 @@ class BlockModel:
             self.nodes, self.divisions, self._checked_tolerance(tolerance), self._corners()
         )
         return raw["chain"]
+
+    def chain_senses(self, tolerance: Optional[float] = None) -> Dict[str, np.ndarray]:
+        """The chains in full: "chain" (NE, 2 | 3) as chains() gives it; "reversed" (NE, 2 | 3),
+        true where the direction runs against its chain; "length" (NE, 2 | 3), the mean arc length
+        of the edges along it; "twisted", for each chain whether it comes back turned round."""
+        return _kernel.core().chains(self.nodes, self.divisions, self._checked_tolerance(tolerance))
 
     def set_divisions(
         self,
