@@ -46,6 +46,7 @@ struct Grid {
     [[nodiscard]] std::size_t at(Index i) const {
         return static_cast<std::size_t>(i[0] + size[0] * (i[1] + size[1] * i[2]));
     }
+    [[nodiscard]] double extent() const;
     bool divide();
     void mark();
     bool lay_edges();
@@ -66,6 +67,15 @@ std::array<Index, 2> Grid::ends(std::size_t coedge) const {
         std::swap(result[0], result[1]);
     }
     return result;
+}
+
+// About how large the solid is.
+double Grid::extent() const {
+    double largest = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        largest = std::max(largest, lattice.planes[a].back() - lattice.planes[a].front());
+    }
+    return largest;
 }
 
 // Segments of each interval: enough for the edges' turning and length, exactly as many as the edges
@@ -438,7 +448,7 @@ void Grid::guess() {
 
 // Laplace's equation by Gauss and Seidel with over-relaxation: faces first, then the inside.
 void Grid::relax(const Progress &progress) {
-    const double far = shape.diagonal();
+    const double far = extent();
     for (const Kind which : {Kind::on_face, Kind::inside}) {
         constexpr int most = 400;
         for (int round = 0; round < most; ++round) {
@@ -534,7 +544,7 @@ double block_quality(std::span<const Vec3, 20> nodes) {
 }
 
 bool Grid::write(double &worst) {
-    const double tiny = 1e-9 * shape.diagonal();
+    const double tiny = 1e-9 * extent();
     const auto point_at = [&](const Index &i) {
         const std::size_t n = at(i);
         if (point[n] < 0) {

@@ -128,7 +128,7 @@ def test_calculix_and_meshio_read_all_types_of_cells(order, tmp_path):
 
 
 def test_collapsed_surfaces_lie_on_the_right_sides(tmp_path):
-    """A pyramid's side pressed by 1 takes a force of its area times its normal: CalculiX adds up."""
+    """The side that is named has the nodes of the pyramid's triangle, by Abaqus's own table."""
     points = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 1]]
     for corners in ([0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]):
         mesh = nmgs.Mesh(

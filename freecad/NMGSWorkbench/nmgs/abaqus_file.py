@@ -15,6 +15,7 @@ import numpy as np
 from .atomic import replaced_file
 from .mesh import CELL_TYPES, Mesh
 from .meshio_files import read_mesh
+from .text_sections import reader
 from .text_rows import write_rows, write_wrapped
 
 __all__ = ["ELEMENT_TYPES", "read_inp", "write_inp"]
@@ -67,6 +68,7 @@ _FACES: Dict[str, tuple] = {
 _SOLID_CORNERS = {"tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
 
 
+@reader
 def read_inp(path: str) -> Mesh:
     """Cells and sets. Pyramids that were written as collapsed hexahedra are pyramids again.
 
@@ -104,14 +106,16 @@ def _with_pyramids(mesh: Mesh, whole: str, part: str, collapsed: np.ndarray) -> 
     return Mesh(mesh.points, cells, groups)
 
 
-def write_inp(path: str, mesh: Mesh, plane: Optional[str] = None) -> None:
+def write_inp(path: str, mesh: Mesh, plane: Optional[str] = None, reduced: bool = False) -> None:
     """The cells of the highest dimension, with their groups as ELSET.
 
     Groups of nodes are NSET; a group of cells of a lower dimension is an NSET of its nodes, and one
     of faces of volume cells a SURFACE of the same name as well. The faces are not written as
     elements: they would be shells. Each cell type is an ELSET by its own name, too. Pyramids become
     hexahedra with four nodes in one, since CalculiX has no others. plane: "stress" or "strain"
-    writes surface cells as CPS or CPE elements instead of shells. Characters that sets' names
+    writes surface cells as CPS or CPE elements instead of shells. reduced: hexahedron20 and quad8
+    as elements of reduced integration (C3D20R, S8R), which CalculiX's manual recommends: they bend
+    better and do not lock where Poisson's ratio nears 0.5. Characters that sets' names
     cannot have become "_". Raises ValueError.
     """
     if plane not in (None, "stress", "strain"):
@@ -122,6 +126,8 @@ def write_inp(path: str, mesh: Mesh, plane: Optional[str] = None) -> None:
     if plane is not None:
         prefix = {"stress": "CPS", "strain": "CPE"}[plane]
         types.update({k: prefix + v[1:] for k, v in types.items() if v.startswith("S")})
+    if reduced:
+        types.update({k: types[k] + "R" for k in ("hexahedron20", "quad8")})
     names = set_names(mesh.groups, reserved=blocks)
     with replaced_file(path) as file:
         file.write("*HEADING\nNMGS Workbench\n*NODE\n")
