@@ -59,6 +59,38 @@ void name_images(BRepAlgoAPI_BuilderAlgo &algorithm, const TopoDS_Shape &entity,
     }
 }
 
+// A vertex that has become one with a tool's may be gone from the history: it is found by place.
+void name_by_place(const CadShape &shape, const TopTools_IndexedMapOfShape &vertices,
+                   Pieces &pieces) {
+    std::set<int> there;
+    for (const CadEntity &on : pieces.vertex_on) {
+        if (on.dimension == 0) {
+            there.insert(on.index);
+        }
+    }
+    for (int n = 1; n <= vertices.Extent(); ++n) {
+        const int number = shape.vertices.FindIndex(vertices(n));
+        if (there.contains(number)) {
+            continue;
+        }
+        const TopoDS_Vertex old = TopoDS::Vertex(vertices(n));
+        int nearest = 0;
+        double least = 0;
+        for (int v = 1; v <= pieces.cad.vertices.Extent(); ++v) {
+            const TopoDS_Vertex vertex = pieces.cad.vertex(v);
+            const double away = BRep_Tool::Pnt(vertex).Distance(BRep_Tool::Pnt(old));
+            if (away <= BRep_Tool::Tolerance(vertex) + BRep_Tool::Tolerance(old) &&
+                pieces.vertex_on[at(v)].dimension != 0 && (nearest == 0 || away < least)) {
+                nearest = v;
+                least = away;
+            }
+        }
+        if (nearest > 0) {
+            pieces.vertex_on[at(nearest)] = {0, number};
+        }
+    }
+}
+
 // What is not an image of a smaller entity lies on the face that it bounds a piece of, else in the
 // solid.
 void inherit(const CadShape &cad, Pieces &pieces) {
@@ -167,6 +199,7 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
                         {0, shape.vertices.FindIndex(parts.vertices(n))}, cad.vertices,
                         pieces.vertex_on);
         }
+        name_by_place(shape, parts.vertices, pieces);
         for (int n = 1; n <= cad.solids.Extent(); ++n) {
             if (pieces.solid_on[at(n)].dimension != 3) {
                 refusal.reason = "a piece has lost the solid that it comes from";
