@@ -104,7 +104,7 @@ EdgeSize size_of_edge(const CadShape &shape, int edge, const LayoutOptions &opti
     return size;
 }
 
-void size_by_neighbourhood(const CadShape &shape, const FaceLoops &loops, EdgeSizes &sizes) {
+void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
     std::vector<Sample> samples;
     std::vector<double> length;
     double all = 0;
@@ -132,14 +132,15 @@ void size_by_neighbourhood(const CadShape &shape, const FaceLoops &loops, EdgeSi
         length.push_back(along);
         all += along;
     }
-    (void)shape;
-    const double least = all / 2000;
-    // Another part of the boundary is one that is much farther along the boundary than across.
+    const double least = all / 500;
+    // Another part of the boundary is one that is much farther along the boundary than across. Two
+    // quads fit between.
     constexpr double detour = 4;
+    constexpr double share = 0.6;
     for (Sample &s : samples) {
         for (const Sample &t : samples) {
             const double d = distance(s.at, t.at);
-            if (d >= s.size || d <= 1e-9 * all) {
+            if (share * d >= s.size || d <= 1e-9 * all) {
                 continue;
             }
             double along = std::numeric_limits<double>::infinity();
@@ -148,7 +149,7 @@ void size_by_neighbourhood(const CadShape &shape, const FaceLoops &loops, EdgeSi
                 along = std::min(along, length[s.loop] - along);
             }
             if (along > detour * d) {
-                s.size = std::max(d, least);
+                s.size = std::min(s.size, std::max(share * d, least));
             }
         }
     }

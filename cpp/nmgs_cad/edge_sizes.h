@@ -30,6 +30,6 @@ EdgeSize size_of_edge(const CadShape &shape, int edge, const LayoutOptions &opti
 
 // Makes segments shorter where another part of the face's boundary is near, and lets lengths grow
 // only slowly along and across the face.
-void size_by_neighbourhood(const CadShape &shape, const FaceLoops &loops, EdgeSizes &sizes);
+void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes);
 
 } // namespace nmgs::cad

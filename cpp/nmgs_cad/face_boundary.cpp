@@ -26,7 +26,8 @@ double parameter_of(const BRepAdaptor_Curve &curve, Vec3 p, double from, double 
     double nearest = d2(from);
     for (int i = 1; i <= samples; ++i) {
         const double d = d2(from + (to - from) * i / samples);
-        if (d < nearest) {
+        // Both ends of a closed curve are equally near to a point beside them.
+        if (d < nearest * (1 - 1e-6)) {
             nearest = d;
             best = i;
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_intervals.h"
 
+#include "nmgs_cad/face_midpoint.h"
+
 #include <TopExp.hxx>
 
 #include <algorithm>
@@ -50,16 +52,44 @@ struct Intervals {
     }
 };
 
-// Edges of side i of a plan.
-std::vector<int> side_edges(const FacePlan &plan, std::size_t i) {
-    const FaceLoop &loop = plan.loops.loops.front();
-    std::vector<int> edges;
-    const std::size_t end = plan.sides->corner[(i + 1) % 4];
-    for (std::size_t u = plan.sides->corner[i]; u != end || edges.empty();
-         u = (u + 1) % loop.size()) {
+using Numbers = std::vector<int>;
+
+// Edges of the loop from one use up to another.
+Numbers edges_between(const FaceLoop &loop, std::size_t from, std::size_t to) {
+    Numbers edges;
+    for (std::size_t u = from; u != to || edges.empty(); u = (u + 1) % loop.size()) {
         edges.push_back(loop[u].edge);
     }
     return edges;
+}
+
+Numbers side_edges(const FacePlan &plan, std::size_t i) {
+    const FaceLoop &loop = plan.loops.loops.front();
+    if (plan.sides) {
+        return edges_between(loop, plan.sides->corner[i], plan.sides->corner[(i + 1) % 4]);
+    }
+    return edges_between(loop, plan.corners[i], plan.corners[(i + 1) % plan.corners.size()]);
+}
+
+// Chains of edges that must have as many segments as one another.
+std::vector<std::array<Numbers, 2>> equal_chains(const FacePlan &plan) {
+    if (plan.sides) {
+        return {{side_edges(plan, 0), side_edges(plan, 2)},
+                {side_edges(plan, 1), side_edges(plan, 3)}};
+    }
+    if (plan.corners.size() == 2) {
+        return {{side_edges(plan, 0), side_edges(plan, 1)}};
+    }
+    if (plan.ring) {
+        std::array<Numbers, 2> loops;
+        for (std::size_t l = 0; l < 2; ++l) {
+            for (const EdgeUse &use : plan.loops.loops[l]) {
+                loops[l].push_back(use.edge);
+            }
+        }
+        return {loops};
+    }
+    return {};
 }
 
 // Makes a pair of opposite sides equal; true when they are. changed: something was added.
@@ -113,6 +143,42 @@ bool balance(Intervals &work, const std::vector<int> &one, const std::vector<int
     return false;
 }
 
+// Adds to the sides of a face with three or five until they meet in the middle.
+bool meet(Intervals &work, const FacePlan &plan, bool &changed) {
+    constexpr int tries = 60;
+    for (int i = 0; i < tries; ++i) {
+        Numbers n;
+        for (std::size_t s = 0; s < plan.corners.size(); ++s) {
+            n.push_back(0);
+            for (const int e : side_edges(plan, s)) {
+                n.back() += work.segments(e);
+            }
+        }
+        if (midpoint_lines(n)) {
+            return true;
+        }
+        // The shortest side that can have more.
+        int best = -1;
+        int least = 0;
+        for (std::size_t s = 0; s < plan.corners.size(); ++s) {
+            for (const int e : side_edges(plan, s)) {
+                const int r = work.root(e);
+                if (!work.fixed.at(r) && work.count.at(r) + 2 <= work.most.at(r) &&
+                    (best < 0 || n[s] < least)) {
+                    best = r;
+                    least = n[s];
+                }
+            }
+        }
+        if (best < 0) {
+            return false;
+        }
+        work.count.at(best) += work.even.at(best) ? 2 : 1;
+        changed = true;
+    }
+    return false;
+}
+
 } // namespace
 
 std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan> &plans,
@@ -152,19 +218,14 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
         bool changed = false;
         // Equal sides of single edges share a number.
         for (const FacePlan &plan : plans) {
-            if (!plan.sides) {
-                continue;
-            }
-            for (std::size_t i = 0; i < 2; ++i) {
-                const auto one = side_edges(plan, i);
-                const auto two = side_edges(plan, i + 2);
+            for (const auto &[one, two] : equal_chains(plan)) {
                 if (one.size() == 1 && two.size() == 1) {
                     work.join(one[0], two[0]);
                 }
             }
         }
         for (const FacePlan &plan : plans) {
-            if (plan.sides) {
+            if (!plan.general() && plan.corners.size() < 3) {
                 continue;
             }
             for (const FaceLoop &loop : plan.loops.loops) {
@@ -181,11 +242,16 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
             }
         }
         for (FacePlan &plan : plans) {
-            for (std::size_t i = 0; i < 2 && plan.sides; ++i) {
-                if (!balance(work, side_edges(plan, i), side_edges(plan, i + 2), changed)) {
-                    plan.sides.reset();
-                    changed = true;
-                }
+            bool good = true;
+            for (const auto &[one, two] : equal_chains(plan)) {
+                good = good && balance(work, one, two, changed);
+            }
+            if (plan.corners.size() >= 3) {
+                good = meet(work, plan, changed);
+            }
+            if (!good) {
+                plan.give_up();
+                changed = true;
             }
         }
         if (!changed) {
@@ -194,12 +260,17 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
     }
     // What no number of rounds made equal is no longer asked for.
     for (FacePlan &plan : plans) {
-        for (std::size_t i = 0; i < 2 && plan.sides; ++i) {
-            bool changed = false;
-            auto copy = work;
-            if (!balance(copy, side_edges(plan, i), side_edges(plan, i + 2), changed) || changed) {
-                plan.sides.reset();
-            }
+        bool changed = false;
+        bool good = true;
+        Intervals copy = work;
+        for (const auto &[one, two] : equal_chains(plan)) {
+            good = good && balance(copy, one, two, changed);
+        }
+        if (plan.corners.size() >= 3) {
+            good = meet(copy, plan, changed);
+        }
+        if (!good || changed) {
+            plan.give_up();
         }
     }
     // Edges that came with odd numbers: an edge that only one face has makes the sum even.
@@ -212,7 +283,7 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
         }
     }
     for (const FacePlan &plan : plans) {
-        if (plan.sides) {
+        if (!plan.general()) {
             continue;
         }
         int sum = 0;

@@ -4,14 +4,36 @@
 #include "nmgs_cad/face_general.h"
 #include "nmgs_cad/face_intervals.h"
 #include "nmgs_cad/face_mapped.h"
+#include "nmgs_cad/face_midpoint.h"
+#include "nmgs_cad/face_ring.h"
 
 #include <Standard_Failure.hxx>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 
 namespace nmgs::cad {
 namespace {
+
+// Two loops that ask for numbers of segments that are not too different.
+bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
+    if (loops.loops.size() != 2 || !loops.inner.empty()) {
+        return false;
+    }
+    std::array<double, 2> segments{0, 0};
+    for (std::size_t l = 0; l < 2; ++l) {
+        for (const EdgeUse &use : loops.loops[l]) {
+            if (use.degenerated || use.seam) {
+                return false;
+            }
+            segments[l] += std::max(1.0, sizes.at(use.edge).segments());
+        }
+    }
+    constexpr double most = 2.5;
+    return segments[0] <= most * segments[1] && segments[1] <= most * segments[0];
+}
 
 // Divides the edges of the plans that are not laid out yet.
 void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &layout,
@@ -34,10 +56,32 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
         Refusal refusal;
         plan.sides = logical_sides(plan.loops, refusal);
         if (!plan.sides) {
-            size_by_neighbourhood(shape, plan.loops, sizes);
+            plan.corners = midpoint_corners(plan.loops);
+            plan.ring = may_be_ring(plan.loops, sizes);
+        }
+        if (plan.general()) {
+            size_by_neighbourhood(plan.loops, sizes);
         }
     }
-    const auto counts = assign_intervals(shape, plans, sizes, layout);
+    std::map<int, int> counts;
+    for (int round = 0; round < 3; ++round) {
+        poll(progress, 0);
+        std::vector<char> was_general;
+        for (const FacePlan &plan : plans) {
+            was_general.push_back(plan.general() ? 1 : 0);
+        }
+        counts = assign_intervals(shape, plans, sizes, layout);
+        bool changed = false;
+        for (std::size_t i = 0; i < plans.size(); ++i) {
+            if (plans[i].general() && was_general[i] == 0) {
+                size_by_neighbourhood(plans[i].loops, sizes);
+                changed = true;
+            }
+        }
+        if (!changed) {
+            break;
+        }
+    }
     for (const auto &[edge, n] : counts) {
         layout.divide_edge(shape, edge, sizes.at(edge).fractions(n));
     }
@@ -45,8 +89,8 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
 
 // The best quads for a face whose edges are laid out.
 std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
-                  const LayoutOptions &options, Refusal &refusal, double &quality,
-                  const Progress &progress) {
+                  const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
+                  double &quality, const Progress &progress) {
     const FaceSurface surface(shape.face(plan.face));
     const auto boundary = boundary_of(shape, plan.loops, layout);
     std::vector<BoundaryLoop> inner;
@@ -72,12 +116,19 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
             }
         }
     };
-    Refusal ignored;
-    const auto sides = logical_sides(plan.loops, ignored);
-    if (sides) {
-        consider(mapped_quads(surface, *sides, boundary, ignored), "mapped");
+    const auto sides = logical_sides(plan.loops, refusal);
+    const auto may = [&](const char *name) { return wanted == "auto" || wanted == name; };
+    if (sides && may("mapped")) {
+        consider(mapped_quads(surface, *sides, boundary, refusal), "mapped");
     }
-    if (quality < good) {
+    const auto corners = midpoint_corners(plan.loops);
+    if (!corners.empty() && may("mid-point")) {
+        consider(midpoint_quads(surface, corners, boundary, refusal), "mid-point");
+    }
+    if (boundary.size() == 2 && inner.empty() && may("ring")) {
+        consider(ring_quads(surface, boundary, refusal), "ring");
+    }
+    if (quality < good && may("general")) {
         consider(general_quads(surface, boundary, inner, options, refusal, progress), "general");
     }
     if (best) {
@@ -87,12 +138,12 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
 }
 
 std::string fail_safe_cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
-                            const LayoutOptions &options, Refusal &refusal, double &quality,
-                            const Progress &progress) {
+                            const LayoutOptions &options, const std::string &wanted,
+                            Refusal &refusal, double &quality, const Progress &progress) {
     const std::string name = entity_name(2, plan.face);
     std::string method;
     try {
-        method = cover(shape, plan, layout, options, refusal, quality, progress);
+        method = cover(shape, plan, layout, options, wanted, refusal, quality, progress);
     } catch (const Standard_Failure &failure) {
         refusal = {std::string("OpenCASCADE: ") + failure.GetMessageString(), {}};
     }
@@ -114,16 +165,17 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
     if (!loops) {
         return false;
     }
-    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt}};
+    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false}};
     divide_edges(shape, plans, layout, options, progress);
     double quality = 0;
-    return !fail_safe_cover(shape, plans.front(), layout, options, refusal, quality, progress)
+    return !fail_safe_cover(shape, plans.front(), layout, options, "auto", refusal, quality,
+                            progress)
                 .empty();
 }
 
 void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &layout,
                   const LayoutOptions &options, std::vector<FitEntry> &report,
-                  const Progress &progress) {
+                  const Progress &progress, const std::string &method) {
     std::vector<FacePlan> plans;
     std::map<int, Refusal> refused;
     std::set<int> covered;
@@ -137,7 +189,7 @@ void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &lay
         if (!loops) {
             refused[face] = refusal;
         } else if (!covered.contains(face)) {
-            plans.push_back({face, std::move(*loops), std::nullopt});
+            plans.push_back({face, std::move(*loops), std::nullopt, {}, false});
         }
     }
     divide_edges(shape, plans, layout, options, progress);
@@ -149,7 +201,7 @@ void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &lay
         entry.first_block = static_cast<std::int32_t>(layout.quads.size());
         Refusal refusal;
         entry.method =
-            fail_safe_cover(shape, plan, layout, options, refusal, entry.quality, progress);
+            fail_safe_cover(shape, plan, layout, options, method, refusal, entry.quality, progress);
         entry.blocks = static_cast<std::int32_t>(layout.quads.size()) - entry.first_block;
         if (entry.method.empty()) {
             entry.reason = refusal.reason;

@@ -8,6 +8,7 @@
 #include "nmgs_cad/refusal.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace nmgs::cad {
@@ -20,9 +21,10 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
 
 // Covers several faces: numbers of segments are chosen for all of them first, so that as many faces
 // as possible are one grid. An entry a face is added to the report: the strategy ("mapped",
-// "general", ...), the first of its quads in the layout and how many there are.
+// "general", ...), the first of its quads in the layout and how many there are. method: only this
+// strategy, "auto" for the best.
 void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &layout,
                   const LayoutOptions &options, std::vector<FitEntry> &report,
-                  const Progress &progress = {});
+                  const Progress &progress = {}, const std::string &method = "auto");
 
 } // namespace nmgs::cad

@@ -157,6 +157,7 @@ void append(const Curves &curves, std::span<const std::int32_t> corners, int own
     for (std::size_t n = 0; n < (dimension == 2 ? 8U : 20U); ++n) {
         blocks.model.nodes.push_back(place[static_cast<std::size_t>(part_of_node(dimension, n))]);
     }
+    blocks.model.corners.insert(blocks.model.corners.end(), corners.begin(), corners.end());
     blocks.model.divisions.push_back({1, 1, dimension == 3 ? 1 : 0});
     for (const auto &entities : on) {
         blocks.binding.entities.insert(blocks.binding.entities.end(), entities.begin(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/primitive.h"
 
+#include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/profile_core.h"
 #include "nmgs_cad/revolution_axis.h"
 #include "nmgs_cad/section.h"
@@ -327,7 +328,7 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
     if (!axis) {
         return false;
     }
-    Turned turned{shape, solid, *axis, 1e-6 * shape.diagonal(), {}, {}, {}};
+    Turned turned{shape, solid, *axis, 1e-6 * extent_of(shape.solid(solid)), {}, {}, {}};
     // The profile is taken away from all that lies on the axis's half-planes.
     std::size_t widest = 0;
     const auto &angles = axis->angles;

@@ -151,7 +151,7 @@ std::set<std::size_t> crossing(const CadShape &shape, const SkinMesh &mesh,
     return result;
 }
 
-Skin output(const SkinMesh &mesh, const CadShape &shape) {
+Skin output(SkinMesh &mesh, const CadShape &shape) {
     Skin skin;
     std::vector<std::int32_t> number(mesh.points.size(), -1);
     for (std::size_t n = 0; n < mesh.points.size(); ++n) {
@@ -167,9 +167,12 @@ Skin output(const SkinMesh &mesh, const CadShape &shape) {
         if (t.face != 0) {
             skin.triangles.push_back({number[at(t.p[0])], number[at(t.p[1])], number[at(t.p[2])]});
             skin.faces.push_back(t.face);
+            skin.uv.push_back({mesh.corner(t.face, t.p[0]).uv, mesh.corner(t.face, t.p[1]).uv,
+                               mesh.corner(t.face, t.p[2]).uv});
         }
     }
     skin.edges.resize(at(shape.edges.Extent()) + 1);
+    skin.parameters.resize(skin.edges.size());
     std::vector<std::vector<std::array<std::int32_t, 2>>> of_edge(skin.edges.size());
     for (const auto &[ends, e] : mesh.segments()) {
         of_edge[at(e)].push_back(ends);
@@ -187,8 +190,10 @@ Skin output(const SkinMesh &mesh, const CadShape &shape) {
         for (const auto &[t, ends] : order) {
             if (skin.edges[e].empty()) {
                 skin.edges[e].push_back(number[at(ends[0])]);
+                skin.parameters[e].push_back(t);
             }
             skin.edges[e].push_back(number[at(ends[1])]);
+            skin.parameters[e].push_back(mesh.parameters(ends[0], ends[1], edge)[1]);
         }
     }
     return skin;

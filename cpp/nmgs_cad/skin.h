@@ -6,6 +6,7 @@
 #include "nmgs/support/vec3.h"
 #include "nmgs_cad/cad_blocks.h"
 #include "nmgs_cad/cad_shape.h"
+#include "nmgs_cad/face_geometry.h"
 #include "nmgs_cad/layout.h"
 
 #include <array>
@@ -20,8 +21,10 @@ struct Skin {
     std::vector<CadEntity> on;                          // vertex, edge or face of each point
     std::vector<std::array<std::int32_t, 3>> triangles; // counter-clockwise about the face's normal
     std::vector<std::int32_t> faces;                    // n of FaceN, one a triangle
+    std::vector<std::array<Uv, 3>> uv; // of each triangle's corners in its face
     // Of CAD edge n at n, as Layout::edges; empty for edges of other faces and degenerated ones.
     std::vector<std::vector<std::int32_t>> edges;
+    std::vector<std::vector<double>> parameters; // of these points in the edge's curve
     // Point of SkinOptions::fixed that each point is, or -1.
     std::vector<std::int32_t> source;
 };

@@ -233,7 +233,7 @@ void Snapper::inside(std::size_t block, std::int32_t first, std::int32_t last) {
 
 void snap(const CadShape &shape, const BlockModel &model, const CadBinding &binding,
           const Lattice &lattice, std::span<Vec3> points, const Progress &progress, double from,
-          double to) {
+          double to, SnapParts parts) {
     Snapper snapper{shape,   model,  binding,
                     lattice, points, std::vector<Vec3>(points.begin(), points.end())};
     struct Piece {
@@ -278,7 +278,7 @@ void snap(const CadShape &shape, const BlockModel &model, const CadBinding &bind
             progress, done, done + step);
         done += step;
     }
-    if (model.dimension == 3) {
+    if (model.dimension == 3 && parts == SnapParts::all) {
         struct Layer {
             std::size_t block;
             std::int32_t k;

@@ -2,6 +2,7 @@
 #include "nmgs_cad/sweep.h"
 
 #include "nmgs_cad/face_normals.h"
+#include "nmgs_cad/loft.h"
 #include "nmgs_cad/section.h"
 
 #include <TopExp_Explorer.hxx>
@@ -62,6 +63,11 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
             return true;
         }
     }
+    Refusal other;
+    if (fill_loft(shape, solid, layout, options, other, progress)) {
+        return true;
+    }
+    refusal.reason += "; " + other.reason;
     return false;
 }
 

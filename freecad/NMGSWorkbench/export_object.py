@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import os
 import re
-from typing import Any, Dict, List, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 from . import nmgs
-from .nmgs import io
+from .nmgs import io, plot
 from .objects.blocks import Blocks
 from .objects.mesh_base import MeshObject
 from .objects.patches import Patches
@@ -73,6 +73,25 @@ def write(obj: Any, path: str, chosen_filter: str = "") -> str:
         path = with_extension(path, chosen_filter)
     nmgs.write(path, content(obj))
     return path
+
+
+def prepared(
+    mesh: nmgs.Mesh, order: int = 0, split: bool = False, groups: Optional[Sequence[str]] = None
+) -> nmgs.Mesh:
+    """The mesh as it is to be written. order: 1, 2, or 0 for as it is. split: into triangles or
+    tetrahedra. groups: these alone; None for all. Raises ValueError."""
+    if groups is not None:
+        kept = {name: mesh.groups[name] for name in groups}
+        mesh = nmgs.Mesh(mesh.points, mesh.cells, kept, model=mesh.model)
+    quadratic = any(name in plot.LINEAR for name in mesh.cells)
+    if quadratic and (order == 1 or split):
+        mesh = plot.linear(mesh)
+    if split:
+        mesh = mesh.split()
+    wanted = order or (2 if quadratic else 1)
+    return (
+        mesh.to_order(2) if wanted == 2 and not any(n in plot.LINEAR for n in mesh.cells) else mesh
+    )
 
 
 def with_extension(path: str, chosen_filter: str) -> str:

@@ -3,7 +3,7 @@
 
 import FreeCADGui
 
-from .resources import icon
+from .resources import TRANSLATIONS, icon, icons, ui
 
 
 class NMGSWorkbench(FreeCADGui.Workbench):
@@ -12,11 +12,11 @@ class NMGSWorkbench(FreeCADGui.Workbench):
     Icon = icon("nmgs_workbench")
 
     def Initialize(self) -> None:
-        from .commands import register
+        from .commands import register, toolbar
 
-        names = register()
-        self.appendToolbar("NMGS", names)
-        self.appendMenu("NMGS", names)
+        menu = register()
+        self.appendToolbar("NMGS", toolbar())
+        self.appendMenu("NMGS", menu)
 
     def ContextMenu(self, recipient: str) -> None:
         from .commands import names_for_context_menu
@@ -29,4 +29,8 @@ class NMGSWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
+FreeCADGui.addLanguagePath(TRANSLATIONS)
+FreeCADGui.updateLocale()
+FreeCADGui.addIconPath(icons())
+FreeCADGui.addPreferencePage(ui("preferences"), "NMGS")
 FreeCADGui.addWorkbench(NMGSWorkbench())

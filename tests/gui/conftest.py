@@ -80,6 +80,34 @@ def pick(obj, *names):
         FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, name)
 
 
+def open_panel(obj):
+    """A double click in the tree; the widget of the panel."""
+    assert obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    process_events()
+    assert FreeCADGui.Control.activeDialog()
+
+
+def widget(kind, name):
+    """A widget of the open panel."""
+    (found,) = [
+        w
+        for w in FreeCADGui.getMainWindow().findChildren(kind, name)
+        if w.isVisible() and w.window() is FreeCADGui.getMainWindow()
+    ]
+    return found
+
+
+def press(text):
+    """A click on a button of the open panel."""
+    for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
+        for button in box.buttons() if box.isVisible() else ():
+            if button.text().replace("&", "") == text:
+                button.click()
+                process_events()
+                return
+    raise AssertionError(f"no button {text}")
+
+
 def run(command: str) -> None:
     """What a click on the toolbar does."""
     FreeCADGui.runCommand(command)

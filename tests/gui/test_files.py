@@ -7,8 +7,18 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-from conftest import message_boxes, pick, process_events, run, screenshot, tree_labels, wait_until
-from PySide import QtGui
+from conftest import (
+    message_boxes,
+    pick,
+    press,
+    process_events,
+    run,
+    screenshot,
+    tree_labels,
+    wait_until,
+    widget,
+)
+from PySide import QtCore, QtGui
 
 from freecad.NMGSWorkbench import nmgs
 
@@ -96,38 +106,73 @@ def test_a_bad_file_is_an_error_in_words(document, tmp_path):
     assert set(FreeCAD.listDocuments()) <= before
 
 
-def export_dialog():
-    found = FreeCADGui.getMainWindow().findChildren(QtGui.QFileDialog, "NMGS_Export")
-    (dialog,) = [dialog for dialog in found if dialog.isVisible()]
-    return dialog
-
-
-def test_export_asks_for_a_file_and_writes_it(document, files, tmp_path):
+def test_export_panel_writes_a_file(document, files, tmp_path):
     load(files["n3s"])
     pick(FreeCAD.ActiveDocument.Objects[0])
     run("NMGS_GenerateMesh")
     run("NMGS_Export")
-    dialog = export_dialog()
-    filters = " ".join(dialog.nameFilters())
-    assert "*.n3r" in filters and "*.vtu" in filters and "*.inp" in filters
-    assert "*.n2s" not in filters
+    formats = widget(QtGui.QComboBox, "format")
+    texts = " ".join(formats.itemText(n) for n in range(formats.count()))
+    assert "*.n3r" in texts and "*.vtu" in texts and "*.inp" in texts and "*.n2s" not in texts
     target = tmp_path / "mesh.vtu"
-    dialog.selectNameFilter(next(f for f in dialog.nameFilters() if "*.vtu" in f))
-    dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(target))
-    dialog.accept()
-    wait_until(target.exists)
+    widget(QtGui.QLineEdit, "path").setText(str(target))
+    assert "*.vtu" in formats.currentText()
+    screenshot("panel_export")
+    press("OK")
     mesh = nmgs.read(target)
     assert len(mesh.cells["hexahedron"]) == 24
-    assert message_boxes() == []
+    assert message_boxes() == [] and not FreeCADGui.Control.activeDialog()
 
 
-def test_an_export_that_fails_says_why(document, files, tmp_path):
+def test_export_of_another_order_and_fewer_groups(document, box, tmp_path):
+    pick(box, "Solid1")
+    run("NMGS_FitBlocks")
+    document.getObject("Blocks").Size = 10
+    document.recompute()
+    run("NMGS_GenerateMesh")
+    mesh = FreeCADGui.Selection.getSelection()[0]
+    held = mesh.Proxy.mesh(mesh)
+    run("NMGS_Export")
+    groups = widget(QtGui.QListWidget, "groups")
+    assert groups.count() == len(held.groups)
+    for row in range(groups.count()):
+        groups.item(row).setCheckState(QtCore.Qt.Unchecked)
+    widget(QtGui.QComboBox, "order").setCurrentIndex(2)
+    formats = widget(QtGui.QComboBox, "format")
+    target = tmp_path / "mesh.vtu"
+    widget(QtGui.QLineEdit, "path").setText(str(target))
+    # Another format takes the file's ending along.
+    (inp,) = [n for n in range(formats.count()) if "*.inp" in formats.itemText(n)]
+    formats.setCurrentIndex(inp)
+    target = tmp_path / "mesh.inp"
+    assert widget(QtGui.QLineEdit, "path").text() == str(target)
+    press("OK")
+    written = nmgs.read(target)
+    assert len(written.cells["hexahedron20"]) == 6
+    assert held.groups and not set(written.groups) & set(held.groups)
+    # What is in the document stays as it is.
+    assert mesh.Proxy.mesh(mesh) is held
+
+
+def test_export_split_into_tetrahedra(document, files, tmp_path):
+    load(files["n3s"])
+    pick(FreeCAD.ActiveDocument.Objects[0])
+    run("NMGS_GenerateMesh")
+    run("NMGS_Export")
+    widget(QtGui.QLineEdit, "path").setText(str(tmp_path / "mesh.vtu"))
+    widget(QtGui.QCheckBox, "split").setChecked(True)
+    widget(QtGui.QComboBox, "order").setCurrentIndex(2)
+    press("OK")
+    assert len(nmgs.read(tmp_path / "mesh.vtu").cells["tetra10"]) == 12 * 24
+
+
+def test_an_export_that_fails_says_why_and_stays(document, files, tmp_path):
     load(files["n3s"])
     pick(FreeCAD.ActiveDocument.Objects[0])
     run("NMGS_Export")
-    dialog = export_dialog()
-    dialog.fileSelected.emit(str(tmp_path / "no_such_folder" / "mesh.n3s"))
-    process_events()
+    widget(QtGui.QLineEdit, "path").setText(str(tmp_path / "no_such_folder" / "mesh.n3s"))
+    press("OK")
     (box,) = message_boxes()
     assert "no_such_folder" in box.text()
-    dialog.reject()
+    assert FreeCADGui.Control.activeDialog()
+    press("Cancel")

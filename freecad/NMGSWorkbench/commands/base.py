@@ -9,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..nmgs.errors import Cancelled
+from ..objects import stale
 from ..resources import icon
 from ..taskpanels import messages
 
@@ -19,6 +20,8 @@ class Command:
     icon_name = ""
     menu_text = ""
     tooltip = ""
+    #: Keys, FreeCAD's way to write them; "" for none.
+    accel = ""
     #: Elements that are to blame for the last error.
     culprits: List[Tuple[Any, str]] = []
 
@@ -28,6 +31,8 @@ class Command:
             "MenuText": self.menu_text,
             "ToolTip": self.tooltip,
             "StatusTip": self.tooltip,
+            "WhatsThis": self.tooltip,
+            "Accel": self.accel,
         }
 
     def IsActive(self) -> bool:
@@ -49,7 +54,8 @@ class Command:
         """obj, computed. Raises what its computation raised."""
         sources = [source for source in obj.OutList if "Touched" in source.State]
         if sources:
-            obj.Document.recompute(sources)
+            with stale.forced():
+                obj.Document.recompute(sources)
         # Not by the document: that would write a traceback into the report view for each error.
         try:
             obj.Proxy.compute(obj)
@@ -57,6 +63,7 @@ class Command:
             self.culprits = obj.Proxy.culprits(getattr(error, "entities", ()))
             raise
         obj.purgeTouched()
+        stale.mark(obj, False)
         return obj
 
     def Activated(self, index: int = 0) -> None:

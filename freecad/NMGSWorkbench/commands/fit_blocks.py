@@ -12,6 +12,7 @@ from .base import Command
 
 
 class FitBlocks(Command):
+    accel = "N, B"
     icon_name = "nmgs_fit_blocks"
     menu_text = "Fit blocks to solids"
     tooltip = "Fill the picked solids, or the solids that own the picked faces, with 20-node blocks"

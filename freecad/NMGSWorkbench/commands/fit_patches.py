@@ -12,6 +12,7 @@ from .base import Command
 
 
 class FitPatches(Command):
+    accel = "N, P"
     icon_name = "nmgs_fit_patches"
     menu_text = "Fit patches to faces"
     tooltip = "Lay 8-node patches over the picked faces, or over all faces of the picked objects"

@@ -9,13 +9,15 @@ from typing import Any
 import FreeCAD
 
 from ..nmgs.tetgen import TetOptions
-from ..objects import tetgen_mesh
+from ..objects import preferences, tetgen_mesh
 from ..objects.base import DocumentObject
+from ..taskpanels.messages import warn_of_quality
 from . import selection
 from .base import Command
 
 
 class TetGenMesh(Command):
+    accel = "N, T"
     icon_name = "nmgs_tetgen_mesh"
     menu_text = "TetGen mesh"
     tooltip = "Fill the picked solids, PLC, blocks or closed surface mesh with TetGen's tetrahedra"
@@ -31,7 +33,9 @@ class TetGenMesh(Command):
         obj = tetgen_mesh.make(document)
         obj.Source = source
         obj.Switches = suggested_switches(source)
+        obj.TimeLimit = preferences.time_limit()
         self.computed(obj)
+        warn_of_quality(self.menu_text, obj)
         for part, _ in source:
             part.Visibility = False
         return obj

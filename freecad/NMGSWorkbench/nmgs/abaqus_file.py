@@ -15,6 +15,7 @@ import numpy as np
 from .atomic import replaced_file
 from .mesh import CELL_TYPES, Mesh
 from .meshio_files import read_mesh
+from .text_sections import reader
 from .text_rows import write_rows, write_wrapped
 
 __all__ = ["ELEMENT_TYPES", "read_inp", "write_inp"]
@@ -67,6 +68,7 @@ _FACES: Dict[str, tuple] = {
 _SOLID_CORNERS = {"tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
 
 
+@reader
 def read_inp(path: str) -> Mesh:
     """Cells and sets. Pyramids that were written as collapsed hexahedra are pyramids again.
 
@@ -104,9 +106,7 @@ def _with_pyramids(mesh: Mesh, whole: str, part: str, collapsed: np.ndarray) -> 
     return Mesh(mesh.points, cells, groups)
 
 
-def write_inp(
-    path: str, mesh: Mesh, plane: Optional[str] = None, reduced: bool = False
-) -> None:
+def write_inp(path: str, mesh: Mesh, plane: Optional[str] = None, reduced: bool = False) -> None:
     """The cells of the highest dimension, with their groups as ELSET.
 
     Groups of nodes are NSET; a group of cells of a lower dimension is an NSET of its nodes, and one

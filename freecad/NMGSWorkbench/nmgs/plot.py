@@ -40,7 +40,8 @@ _MID_SIDES: Dict[str, Tuple[Tuple[int, int], ...]] = {
     "quad": ((0, 1), (1, 2), (2, 3), (3, 0)),
     "triangle": ((0, 1), (1, 2), (2, 0)),
 }
-_LINEAR = {
+#: Quadratic cells and the linear ones on their corners.
+LINEAR = {
     "line3": "line",
     "triangle6": "triangle",
     "quad8": "quad",
@@ -144,10 +145,35 @@ def plot(
     return _drawn(mesh, types, faces, options, top)
 
 
+def linear(mesh: Mesh) -> Mesh:
+    """The linear mesh on the corners of quadratic cells; its points are those in use. Groups of
+    nodes keep the corners among them. Meshes of linear cells are given back as they are."""
+    if not any(name in LINEAR for name in mesh.cells):
+        return mesh
+    cells: Dict[str, np.ndarray] = {}
+    for name, nodes in mesh.cells.items():
+        to = LINEAR.get(name, name)
+        if to in cells:
+            raise ValueError(f"mesh: {to} cells of both orders cannot be told apart by one name")
+        cells[to] = nodes[:, : CELL_TYPES[to][0]]
+    used = np.zeros(len(mesh.points), dtype=bool)
+    for nodes in cells.values():
+        used[nodes.ravel()] = True
+    number = np.cumsum(used) - 1
+    groups = {}
+    for name, (kind, members) in mesh.groups.items():
+        if kind == "node":
+            groups[name] = (kind, number[members[used[members]]])
+        else:
+            groups[name] = (LINEAR.get(kind, kind), members)
+    cells = {name: number[nodes] for name, nodes in cells.items()}
+    return Mesh(mesh.points[used], cells, groups, model=mesh.model)
+
+
 def _split(mesh: Mesh) -> Mesh:
     """Simplices on the corners: what is drawn of quadratic cells is their linear part."""
     cells = {
-        _LINEAR.get(name, name): nodes[:, : CELL_TYPES[_LINEAR.get(name, name)][0]]
+        LINEAR.get(name, name): nodes[:, : CELL_TYPES[LINEAR.get(name, name)][0]]
         for name, nodes in mesh.cells.items()
     }
     if not {"quad", "hexahedron"} & set(cells):
@@ -162,7 +188,7 @@ def _kept(mesh: Mesh, name: str, ids: np.ndarray, cut: Tuple) -> np.ndarray:
     if not np.linalg.norm(normal) > 0:
         raise ValueError(f"cut: expected a normal with a length, got {cut[1]!r}")
     # By the corners: mid-side nodes are not evenly spread round a cell.
-    corners = CELL_TYPES[_LINEAR.get(name, name)][0]
+    corners = CELL_TYPES[LINEAR.get(name, name)][0]
     height = (mesh.points - point) @ normal
     return ids[height[mesh.cells[name][ids, :corners]].mean(axis=1) <= 0]
 
@@ -192,7 +218,7 @@ def _directions(mesh: Mesh, types: List[str], faces: np.ndarray, owners: np.ndar
     result = np.full(len(faces), -1)
     corners = np.sort(faces[:, : 4 if faces.shape[1] in (4, 8) else 3], axis=1)
     for number, name in enumerate(types):
-        if _LINEAR.get(name, name) != "hexahedron":
+        if LINEAR.get(name, name) != "hexahedron":
             continue
         mine = np.flatnonzero(owners[:, 0] == number)
         nodes = mesh.cells[name][owners[mine, 1]]
@@ -207,7 +233,7 @@ def _all_faces(mesh: Mesh, types: List[str], faces: List) -> List:
     result: List = []
     owners = np.unique(np.concatenate([own for _, own in faces]), axis=0) if faces else []
     for number, name in enumerate(types):
-        linear = _LINEAR.get(name, name)
+        linear = LINEAR.get(name, name)
         mine = owners[owners[:, 0] == number] if len(owners) else np.zeros((0, 2), dtype=int)
         nodes = mesh.cells[name][mine[:, 1]]
         for face in CELL_FACES[linear]:
@@ -266,7 +292,7 @@ def _shrunk(mesh: Mesh, types: List[str], faces: List, shrink: float) -> Tuple[n
         middle = np.empty((len(nodes), 3))
         for number, name in enumerate(types):
             mine = owners[:, 0] == number
-            corners = CELL_TYPES[_LINEAR.get(name, name)][0]
+            corners = CELL_TYPES[LINEAR.get(name, name)][0]
             cells = mesh.cells[name][owners[mine, 1], :corners]
             middle[mine] = mesh.points[cells].mean(axis=1)
         places = mesh.points[nodes]

@@ -38,7 +38,7 @@ def refit(
     )
     result = model.copy()
     result.nodes = nodes
-    result.cad = CadLink(after, model.cad.offsets, model.cad.entities)
+    result.cad = CadLink(after, model.cad.offsets, model.cad.entities, model.cad.corners)
     result.report = [dict(entry) for entry in model.report]
     measured = iter(errors)
     for entry in result.report:

@@ -139,7 +139,7 @@ def _layer_heights(first: float, growth: float, size: float, layers: Optional[in
 def _chains(model: BlockModel) -> dict:
     if model.cad is None:
         raise ValueError("model: expected blocks that nmgs.fit laid over CAD, got a free model")
-    return _kernel.core().chains(model.nodes, model.divisions)
+    return _kernel.core().chains(model.nodes, model.divisions, corners=model._corners())
 
 
 def _number(name: str, kind: str) -> int:

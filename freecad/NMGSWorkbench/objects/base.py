@@ -8,6 +8,9 @@ from typing import Any, List, Optional, Sequence, Tuple
 
 import FreeCAD
 
+from . import reattach, stale
+
+stale.watch()
 #: Version of the properties written into documents; raised when their meaning changes.
 SCHEMA_VERSION = 1
 
@@ -20,6 +23,16 @@ _SCHEMA: Property = (
     "NMGS",
     "Version of these properties",
     SCHEMA_VERSION,
+    2,
+)
+
+
+_CLASS: Property = (
+    "App::PropertyString",
+    "ProxyClass",
+    "NMGS",
+    "Python class, for a FreeCAD that has found the workbench again",
+    None,
     2,
 )
 
@@ -60,6 +73,10 @@ class DocumentObject:
 
     def _add_properties(self, obj: Any) -> None:
         add_properties(obj, (_SCHEMA, *self.properties))
+        add_properties(obj, (_CLASS,))
+        if not obj.ProxyClass:
+            obj.ProxyClass = reattach.name_of(self)
+        stale.add_property(obj)
         # Everything lies where its nodes are; a recompute takes any other placement back.
         obj.setEditorMode("Placement", 2)
 
@@ -71,9 +88,14 @@ class DocumentObject:
             obj.ViewObject.Visibility = True
 
     def execute(self, obj: Any) -> None:
+        # What has no result yet has nothing to be stale.
+        if getattr(obj, "ElementCount", 0) and not stale.at_once():
+            stale.mark(obj, True)
+            return
         self.failure = None
         try:
             self.compute(obj)
+            stale.mark(obj, False)
         except Exception as error:
             self.failure = error
             # FreeCAD writes a traceback of all callers into the report view; this one is enough.

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any, Dict, List, Optional, Sequence
 
 import FreeCAD
 import numpy as np
 
 from .. import nmgs
-from . import gradings, sources
+from . import gradings, shape_library, sources
 from .base import DocumentObject
 from .block_edges import edges_shape
 from .run import run
@@ -24,6 +25,22 @@ PROPERTIES = (
         0,
     ),
     ("App::PropertyString", "File", "Geometry", "File that the elements were read from", None, 1),
+    (
+        "App::PropertyString",
+        "Library",
+        "Geometry",
+        "Shape of the library that the elements are; empty for others",
+        None,
+        1,
+    ),
+    (
+        "App::PropertyString",
+        "Arguments",
+        "Geometry",
+        "Sizes and divisions of the library's shape, as JSON",
+        None,
+        0,
+    ),
     (
         "App::PropertyLength",
         "Size",
@@ -83,6 +100,14 @@ PROPERTIES = (
         None,
         1,
     ),
+    (
+        "App::PropertyStringList",
+        "ReportData",
+        "Fit",
+        "The fit's report as JSON, one line a face or solid",
+        None,
+        2,
+    ),
 )
 
 
@@ -99,15 +124,34 @@ class Blocking(DocumentObject):
     report: Sequence[Dict[str, Any]] = ()
 
     def compute(self, obj: Any) -> None:
-        model = self._fitted(obj) if obj.Source else self._given(obj)
+        model = self._made(obj)
         obj.Shape = edges_shape(model.nodes)
-        if obj.Source:
+        if obj.Source or obj.Library:
             obj.Nodes = [FreeCAD.Vector(*node) for node in model.nodes.reshape(-1, 3)]
             obj.Divisions = [int(n) for n in model.divisions.ravel()]
+        if obj.Source:
             obj.Report = [self._line(entry) for entry in model.report]
+            obj.ReportData = [json.dumps(entry, default=_plain) for entry in model.report]
         obj.ElementCount = len(model)
         self.report = model.report
         self._model = model
+
+    def _made(self, obj: Any) -> nmgs.BlockModel:
+        if obj.Source:
+            return self._fitted(obj)
+        return self._from_library(obj) if obj.Library else self._given(obj)
+
+    def _from_library(self, obj: Any) -> nmgs.BlockModel:
+        model = shape_library.make_model(obj.Library, obj.Arguments)
+        if model.nodes.shape[1] != self.nodes_per_element:
+            raise ValueError(
+                f"{obj.Label}: {obj.Library} has no {self.nodes_per_element}-node form"
+            )
+        if not obj.AutoDivisions:
+            model.divisions = model._checked_divisions(self._divisions(obj, len(model)))
+            gradings.put(model, obj.Grading)
+        model.reference = model._checked_reference(obj.Reference or model.reference)
+        return model
 
     def _given(self, obj: Any) -> nmgs.BlockModel:
         count, left = divmod(len(obj.Nodes), self.nodes_per_element)
@@ -161,13 +205,32 @@ class Blocking(DocumentObject):
     def model(self, obj: Any) -> nmgs.BlockModel:
         """The elements as they are now; fits again when only the document's properties are left."""
         if self._model is None:
-            self._model = self._fitted(obj) if obj.Source else self._given(obj)
+            self._model = self._made(obj)
         return self._model
+
+    def shown(self, obj: Any) -> Optional[nmgs.BlockModel]:
+        """Nodes, divisions and gradings as the properties have them; nothing is fitted for it."""
+        if self._model is not None:
+            return self._model
+        return self._given(obj) if obj.Nodes else None
+
+    def entries(self, obj: Any) -> List[Dict[str, Any]]:
+        """The fit's report, as nmgs.fit gives it, also in a document that was opened."""
+        return [json.loads(line) for line in obj.ReportData]
 
     def culprits(self, names: Sequence[str]) -> List[sources.Entity]:
         """The document's elements that the fit names, e.g. in an error."""
         owners = [self._picked.owner(name) for name in names] if self._picked else []
         return [owner for owner in owners if owner is not None]
+
+    def owner(self, obj: Any, name: str) -> Optional[sources.Entity]:
+        """The document's element of a name in the report; None for one that is gone."""
+        if self._picked is None and obj.Source:
+            try:
+                self._picked = sources.gather(obj.Source)
+            except nmgs.Error:
+                return None
+        return self._picked.owner(name) if self._picked else None
 
     def _line(self, entry: Dict[str, Any]) -> str:
         owner = self.culprits([entry["entity"]])
@@ -186,8 +249,16 @@ class Blocking(DocumentObject):
             "Size",
             "Tolerance",
             "Method",
+            "Library",
+            "Arguments",
+            "AutoDivisions",
         ):
             self._model = None
+
+
+def _plain(value: Any) -> Any:
+    """NumPy's numbers and arrays as JSON has them."""
+    return value.tolist() if hasattr(value, "tolist") else str(value)
 
 
 def fill(obj: Any, model: nmgs.BlockModel, path: str = "") -> None:

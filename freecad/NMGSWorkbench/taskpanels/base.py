@@ -9,6 +9,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from ..nmgs.errors import Cancelled
+from ..objects import stale
 from ..resources import icon, ui
 from . import messages
 
@@ -32,7 +33,11 @@ class Panel:
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self._open = False
         self._was_touched = "Touched" in obj.State
+        self.connect()
         self.fill()
+
+    def connect(self) -> None:
+        """Signals of widgets; once, while fill() may come again."""
 
     def fill(self) -> None:
         raise NotImplementedError
@@ -56,7 +61,8 @@ class Panel:
             self._open = True
         try:
             self.store()
-            document.recompute([self.obj])
+            with stale.forced():
+                document.recompute([self.obj])
             if self.obj.Proxy.failure is not None:
                 raise self.obj.Proxy.failure
         except Cancelled:

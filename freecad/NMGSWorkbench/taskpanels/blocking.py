@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Panel of Patches and Blocks: how they are fitted and divided."""
+"""Panel of fitted Patches and Blocks: options, and what became of each face or solid."""
 
 from __future__ import annotations
 
+from typing import Any, Dict, List
+
+import FreeCADGui
 from PySide import QtGui
 
 from ..nmgs.cad import METHODS
+from ..texts import tr
+from . import tables
 from .base import Panel
 
 _DIRECTIONS = ("ξ", "η", "ζ")
+#: Of an entry of the report, in the order of the table's columns; what else it has comes behind.
+_FIRST = ("entity", "method", "error", "reason")
 
 
 class BlockingPanel(Panel):
@@ -22,6 +29,11 @@ class BlockingPanel(Panel):
     def _directions(self) -> int:
         return 2 if self.obj.Proxy.nodes_per_element == 8 else 3
 
+    def connect(self) -> None:
+        form = self.form
+        form.auto_divisions.toggled.connect(self._divisions_enabled)
+        form.report.cellClicked.connect(lambda row, *_: self.take_entry(row))
+
     def fill(self) -> None:
         form, obj = self.form, self.obj
         form.element_size.setProperty("rawValue", obj.Size.Value)
@@ -31,13 +43,45 @@ class BlockingPanel(Panel):
         form.method.setCurrentText(obj.Method)
         form.reference.setText(obj.Reference)
         form.auto_divisions.setChecked(obj.AutoDivisions)
-        form.auto_divisions.toggled.connect(self._divisions_enabled)
-        # Elements that were read or typed in have nothing to be fitted to.
-        for widget in (form.element_size, form.tolerance, form.method, form.auto_divisions):
-            widget.setEnabled(bool(obj.Source))
         self._fill_divisions()
         self._divisions_enabled(obj.AutoDivisions)
-        form.report.setText("\n".join(obj.Report))
+        self._fill_report()
+
+    def _fill_report(self) -> None:
+        form = self.form
+        self.entries: List[Dict[str, Any]] = self.obj.Proxy.entries(self.obj)
+        left_out = sum(not entry.get("method") for entry in self.entries)
+        text = tr("{blocks} blocks").format(blocks=self.obj.ElementCount)
+        if left_out:
+            text += "; " + tr("{left} of {all} could not be used").format(
+                left=left_out, all=len(self.entries)
+            )
+        form.summary.setText(text)
+        further = [
+            key
+            for key in dict.fromkeys(key for entry in self.entries for key in entry)
+            if key not in _FIRST
+            and all(isinstance(e.get(key), (int, float, str, type(None))) for e in self.entries)
+        ]
+        titles = [tr("Geometry"), tr("Method"), tr("Off the CAD"), tr("Reason")]
+        titles += [key.replace("_", " ") for key in further]
+        tables.prepare(form.report, titles, len(self.entries))
+        for row, entry in enumerate(self.entries):
+            owner = self.obj.Proxy.owner(self.obj, entry["entity"])
+            who = f"{owner[0].Label}.{owner[1]}" if owner else entry["entity"]
+            method = entry.get("method") or tr("left out")
+            texts = [who, method, _text(entry.get("error")) if entry.get("method") else ""]
+            texts += [_text(entry.get(key)) for key in ("reason", *further)]
+            for column, words in enumerate(texts):
+                tables.put(form.report, row, column, words, False).setToolTip(words)
+        tables.fit_columns(form.report)
+
+    def take_entry(self, row: int) -> None:
+        """Picks the face or solid of a row in the view."""
+        owner = self.obj.Proxy.owner(self.obj, self.entries[row]["entity"])
+        FreeCADGui.Selection.clearSelection()
+        if owner is not None:
+            FreeCADGui.Selection.addSelection(owner[0].Document.Name, owner[0].Name, owner[1])
 
     def _divisions_enabled(self, automatic: bool) -> None:
         self.form.divisions.setEnabled(not automatic)
@@ -62,8 +106,10 @@ class BlockingPanel(Panel):
                     values.append(int(text))
                 except ValueError:
                     raise ValueError(
-                        f"Divisions of element {row + 1} along {_DIRECTIONS[column]}: "
-                        f"expected a whole number, got {text!r}"
+                        tr(
+                            "Divisions of element {element} along {axis}: "
+                            "expected a whole number, got {text!r}"
+                        ).format(element=row + 1, axis=_DIRECTIONS[column], text=text)
                     ) from None
         return values
 
@@ -76,3 +122,9 @@ class BlockingPanel(Panel):
         obj.Tolerance = form.tolerance.property("rawValue")
         obj.Method = form.method.currentText()
         obj.Reference = form.reference.text()
+
+
+def _text(value: Any) -> str:
+    if value is None:
+        return ""
+    return f"{value:.3g}" if isinstance(value, float) else str(value)

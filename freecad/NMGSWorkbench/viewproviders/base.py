@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any, List, Tuple
+from typing import Any, Callable, List, Tuple
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtCore
 
 from ..resources import icon
 from ..taskpanels import progress
@@ -31,6 +32,18 @@ def face_colour(vobj: Any) -> Tuple[float, float, float]:
     return tuple(vobj.ShapeAppearance[0].DiffuseColor[:3])
 
 
+def later(job: Callable[[], Any]) -> None:
+    """Does it when the window is idle, unless the object is gone by then."""
+
+    def attempt() -> None:
+        try:
+            job()
+        except ReferenceError:
+            pass
+
+    QtCore.QTimer.singleShot(0, attempt)
+
+
 class ViewProvider:
     """Base. A subclass sets `icon_name`, and `panel` (module, class in taskpanels) or none."""
 
@@ -48,7 +61,12 @@ class ViewProvider:
         self.Object = vobj.Object
 
     def getIcon(self) -> str:
-        return icon(self.icon_name)
+        is_stale = getattr(getattr(self, "Object", None), "Stale", False)
+        return icon(f"stale/{self.icon_name}" if is_stale else self.icon_name)
+
+    def show_stale(self, vobj: Any) -> None:
+        """The object's Stale has changed."""
+        vobj.signalChangeIcon()
 
     def onChanged(self, vobj: Any, prop: str) -> None:
         """A property of the view changed."""

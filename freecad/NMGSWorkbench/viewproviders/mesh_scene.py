@@ -15,6 +15,7 @@ from . import legend
 from . import scene_nodes as nodes
 
 MARK: nodes.Colour = (0.92, 0.20, 0.12)
+STALE: nodes.Colour = (0.62, 0.60, 0.58)
 _FADED = 0.85
 
 
@@ -31,6 +32,8 @@ class MeshScene:
         #: What is drawn now, for those who want to count it.
         self.plot: Optional[Plot] = None
         self._material: Any = None
+        self._colour: nodes.Colour = MARK
+        self._transparency = 0.0
 
     def clear(self) -> None:
         for part in (self.faces, self.marks, self.legend):
@@ -53,6 +56,7 @@ class MeshScene:
         self.clear()
         self.plot = drawn
         self._material = nodes.material(colour, transparency)
+        self._colour, self._transparency = colour, transparency
         for child in (
             nodes.two_sided(),
             nodes.behind_lines(),
@@ -74,12 +78,20 @@ class MeshScene:
         if values is not None:
             self.legend.addChild(legend.legend(title or metric, low, high, larger))
 
+    def fade(self, is_stale: bool) -> None:
+        """Grey and thin while the mesh is stale."""
+        if self._material is None:
+            return
+        colour = STALE if is_stale else self._colour
+        self._material.diffuseColor.setValue(*colour)
+        self._material.transparency.setValue(max(0.6 if is_stale else 0.0, self._transparency))
+
     def mark(self, mesh: Mesh, cells: Dict[str, np.ndarray]) -> None:
         """Draws cells, by type and index, in full, and fades the others. None: as it was."""
         self.marks.removeAllChildren()
         count = sum(len(ids) for ids in cells.values())
         if self._material is not None:
-            self._material.transparency.setValue(_FADED if count else 0.0)
+            self._material.transparency.setValue(_FADED if count else self._transparency)
         if not count:
             return
         drawn = plot(mesh, PlotOptions(), only=cells)

@@ -7,16 +7,15 @@ elements, so that such a mesh is given to it only when FEM asks for it.
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import FreeCAD
 import numpy as np
-from PySide import QtCore
 
 from ..nmgs.plot import PlotOptions
 from ..nmgs.report import METRICS
 from ..objects.base import add_properties
-from .base import ViewProvider, face_colour, set_face_colour
+from .base import ViewProvider, face_colour, later, set_face_colour
 
 MODE = "Elements"
 PLAIN = "Plain"
@@ -97,6 +96,11 @@ class MeshView(ViewProvider):
         blocks = getattr(self.Object, "Blocks", None)
         return [blocks] if blocks else []
 
+    def show_stale(self, vobj: Any) -> None:
+        super().show_stale(vobj)
+        if self.scene is not None:
+            self.scene.fade(vobj.Object.Stale)
+
     def updateData(self, obj: Any, prop: str) -> None:
         # Set last whenever the mesh changes, by undo as well.
         if prop == "Content":
@@ -141,6 +145,7 @@ class MeshView(ViewProvider):
                 getattr(vobj, "LineWidth", 1.0),
                 metric.replace("_", " "),
             )
+            self.scene.fade(getattr(obj, "Stale", False))
         except Exception as error:
             # A picture that fails must not fail the document.
             FreeCAD.Console.PrintError(f"{obj.Label}: cannot be drawn: {error}\n")
@@ -149,18 +154,6 @@ class MeshView(ViewProvider):
         """Shows cells, {type: indices}, before all others; None or nothing: as it was."""
         if self.scene is not None:
             self.scene.mark(self.Object.Proxy.mesh(self.Object), cells or {})
-
-
-def later(job: Callable[[], Any]) -> None:
-    """Does it when the window is idle, unless the object is gone by then."""
-
-    def attempt() -> None:
-        try:
-            job()
-        except ReferenceError:
-            pass
-
-    QtCore.QTimer.singleShot(0, attempt)
 
 
 def plot_options(vobj: Any, mesh: Any) -> PlotOptions:

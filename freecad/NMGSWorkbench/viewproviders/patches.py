@@ -3,17 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from .base import ViewProvider
+from .blocking_view import BlockingView
 
 
-class PatchesView(ViewProvider):
+class PatchesView(BlockingView):
     icon_name = "nmgs_patches"
-    panel = ("blocking", "BlockingPanel")
-
-    def dress(self, vobj: Any) -> None:
-        vobj.LineColor = (0.90, 0.45, 0.10)
-        vobj.PointColor = (0.60, 0.10, 0.05)
-        vobj.LineWidth = 4.0
-        vobj.PointSize = 8.0
