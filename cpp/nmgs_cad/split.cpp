@@ -53,7 +53,7 @@ void name_images(BRepAlgoAPI_BuilderAlgo &algorithm, const TopoDS_Shape &entity,
                  const TopTools_IndexedMapOfShape &map, std::vector<CadEntity> &on) {
     for (const TopoDS_Shape &image : images(algorithm, entity)) {
         const int n = map.FindIndex(image);
-        if (n > 0) {
+        if (n > 0 && on[at(n)].dimension > as.dimension) { // the first one's name stays
             on[at(n)] = as;
         }
     }
@@ -211,7 +211,7 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
             }
         }
         inherit(cad, pieces);
-        // Every entity is still there.
+        // Every entity is still there; solids that touch may have given theirs to each other.
         std::set<std::array<int, 2>> there;
         for (const auto *list : {&pieces.vertex_on, &pieces.edge_on, &pieces.face_on}) {
             for (const CadEntity &e : *list) {
@@ -231,6 +231,10 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
             }
             return false;
         };
+        if (tools.IsEmpty()) {
+            refusal = {};
+            return pieces;
+        }
         if (missing(parts.vertices, 0, shape.vertices) || missing(parts.edges, 1, shape.edges) ||
             missing(parts.faces, 2, shape.faces)) {
             return std::nullopt;
@@ -241,6 +245,12 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
         refusal.reason = std::string("OpenCASCADE: ") + failure.GetMessageString();
         return std::nullopt;
     }
+}
+
+std::optional<Pieces> imprint(const CadShape &shape, Refusal &refusal) {
+    std::vector<int> solids(at(shape.solids.Extent()));
+    std::iota(solids.begin(), solids.end(), 1);
+    return split(shape, solids, {}, refusal);
 }
 
 namespace {
