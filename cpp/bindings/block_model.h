@@ -8,13 +8,16 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace nmgs::bindings {
 
 // nodes (NE, 8 | 20, 3), divisions (NE, 2 | 3), spacing None or a sequence of NE * (2 | 3) arrays
-// of positions, each empty or None where uniform. Raises ValueError naming the argument.
+// of positions, each empty or None where uniform. corners None or (NE, 4 | 8), see BlockModel.
+// Raises ValueError naming the argument.
 inline BlockModel block_model_of(const DoubleArray &nodes, const IntArray &divisions,
-                                 const py::object &spacing) {
+                                 const py::object &spacing,
+                                 const std::optional<IntArray> &corners = std::nullopt) {
     if (nodes.ndim() != 3 || nodes.shape(2) != 3 || (nodes.shape(1) != 8 && nodes.shape(1) != 20)) {
         throw py::value_error("nodes: expected shape (NE, 8, 3) or (NE, 20, 3), got " +
                               shape_text(nodes));
@@ -38,6 +41,15 @@ inline BlockModel block_model_of(const DoubleArray &nodes, const IntArray &divis
             model.spacing.push_back(item.is_none() ? std::vector<double>()
                                                    : item.cast<std::vector<double>>());
         }
+    }
+    if (corners) {
+        if (corners->ndim() != 2 || corners->shape(0) != nodes.shape(0) ||
+            corners->shape(1) != model.corners_per_element()) {
+            throw py::value_error("corners: expected shape (" + std::to_string(nodes.shape(0)) +
+                                  ", " + std::to_string(model.corners_per_element()) + "), got " +
+                                  shape_text(*corners));
+        }
+        model.corners.assign(corners->data(), corners->data() + corners->size());
     }
     return model;
 }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "arrays.h"
 #include "block_model.h"
+#include "cad_fit.h"
+#include "cad_refit.h"
 #include "cad_tessellate.h"
+#include "cad_tets.h"
 #include "errors.h"
 #include "mesh.h"
 
+#include "nmgs_cad/face_layout.h"
 #include "nmgs_cad/generate_on_cad.h"
-#include "nmgs_cad/mapped.h"
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/version.h"
 
 #include <memory>
+#include <numbers>
 
 namespace nmgs::bindings {
 namespace {
@@ -23,20 +27,7 @@ std::shared_ptr<CadShape> read_brep(const py::bytes &bytes) {
     return std::make_shared<CadShape>(cad::read_brep(std::string_view(bytes)));
 }
 
-py::dict entry_dict(const cad::FitEntry &entry) {
-    py::dict d;
-    d["entity"] = cad::entity_name(entry.entity.dimension, entry.entity.index);
-    d["method"] = entry.method;
-    d["reason"] = entry.reason;
-    d["blockers"] = entry.blockers;
-    d["first_block"] = entry.first_block;
-    d["blocks"] = entry.blocks;
-    d["error"] = entry.error;
-    d["place"] = py::make_tuple(entry.place[0], entry.place[1], entry.place[2]);
-    return d;
-}
-
-// {nodes, offsets, entities, report} of faces (dimension 2) or solids (3).
+// {nodes, corners, offsets, entities, report} of faces (dimension 2) or solids (3).
 py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices,
              double tolerance, const std::string &method, const py::object &progress) {
     CadBlocks blocks;
@@ -45,9 +36,13 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
         if (dimension == 2) {
-            for (const int n : indices) {
-                cad::fit_mapped_face(shape, n, blocks);
-            }
+            cad::Layout layout(shape);
+            cad::LayoutOptions options;
+            options.angle = std::numbers::pi / 4;
+            std::vector<cad::FitEntry> report;
+            cad::layout_faces(shape, indices, layout, options, report, listener, method);
+            blocks = cad::blocks_of(shape, layout, 2);
+            blocks.report = std::move(report);
         } else {
             cad::Layout layout(shape);
             cad::SolidLayoutOptions options;
@@ -59,34 +54,15 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
         constexpr int rounds = 6;
         blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
     }
-    py::list report;
-    for (const auto &entry : blocks.report) {
-        report.append(entry_dict(entry));
-    }
-    std::vector<double> nodes;
-    for (const Vec3 &p : blocks.model.nodes) {
-        nodes.insert(nodes.end(), {p.x, p.y, p.z});
-    }
-    std::vector<std::int32_t> entities;
-    for (const auto &e : blocks.binding.entities) {
-        entities.insert(entities.end(), {e.dimension, e.index});
-    }
-    const auto size = static_cast<py::ssize_t>(blocks.model.size());
-    const auto offsets = static_cast<py::ssize_t>(blocks.binding.offsets.size());
-    const auto count = static_cast<py::ssize_t>(blocks.binding.entities.size());
-    py::dict result;
-    result["nodes"] = give<double>(std::move(nodes), {size, blocks.model.nodes_per_element(), 3});
-    result["offsets"] = give<std::int32_t>(std::move(blocks.binding.offsets), {offsets});
-    result["entities"] = give<std::int32_t>(std::move(entities), {count, 2});
-    result["report"] = report;
-    return result;
+    return fit_dict(std::move(blocks));
 }
 
 py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const IntArray &divisions,
                        const py::object &spacing, const IntArray &offsets, const IntArray &entities,
-                       int order, double tolerance, bool force, const py::object &progress) {
+                       int order, double tolerance, bool force, const py::object &progress,
+                       const std::optional<IntArray> &corners) {
     CadBlocks blocks;
-    blocks.model = block_model_of(nodes, divisions, spacing);
+    blocks.model = block_model_of(nodes, divisions, spacing, corners);
     blocks.binding.offsets.assign(offsets.data(), offsets.data() + offsets.size());
     const auto view = entities.unchecked<2>();
     for (py::ssize_t e = 0; e < view.shape(0); ++e) {
@@ -133,6 +109,8 @@ PYBIND11_MODULE(cad, module) {
     module.def("generate", &generate_mesh, py::arg("shape"), py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("force") = false,
-               py::arg("progress") = py::none());
+               py::arg("progress") = py::none(), py::arg("corners") = py::none());
+    bind_refit(module);
     bind_tessellate(module);
+    bind_tets(module);
 }

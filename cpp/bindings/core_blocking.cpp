@@ -18,8 +18,8 @@ namespace {
 
 py::dict generate_mesh(const DoubleArray &nodes, const IntArray &divisions,
                        const py::object &spacing, double tolerance, bool force,
-                       const py::object &progress) {
-    const BlockModel model = block_model_of(nodes, divisions, spacing);
+                       const py::object &progress, const std::optional<IntArray> &corners) {
+    const BlockModel model = block_model_of(nodes, divisions, spacing, corners);
     Mesh mesh;
     {
         const Progress listener = progress_of(progress);
@@ -31,8 +31,8 @@ py::dict generate_mesh(const DoubleArray &nodes, const IntArray &divisions,
 
 // Each as (kind, block, other block or -1, (x, y, z), text); blocks from 0 on.
 py::list check_model(const DoubleArray &nodes, const IntArray &divisions, const py::object &spacing,
-                     double tolerance) {
-    const BlockModel model = block_model_of(nodes, divisions, spacing);
+                     double tolerance, const std::optional<IntArray> &corners) {
+    const BlockModel model = block_model_of(nodes, divisions, spacing, corners);
     std::vector<BlockProblem> problems;
     {
         const py::gil_scoped_release release;
@@ -48,8 +48,9 @@ py::list check_model(const DoubleArray &nodes, const IntArray &divisions, const 
 }
 
 // {'chain': (NE, d), 'reversed': (NE, d), 'twisted': (C,), 'length': (NE, d) mean arc lengths}.
-py::dict chains(const DoubleArray &nodes, const IntArray &divisions, double tolerance) {
-    const BlockModel model = block_model_of(nodes, divisions, py::none());
+py::dict chains(const DoubleArray &nodes, const IntArray &divisions, double tolerance,
+                const std::optional<IntArray> &corners) {
+    const BlockModel model = block_model_of(nodes, divisions, py::none(), corners);
     validate(model);
     Chains found = find_chains(model, find_topology(model, tolerance));
     std::vector<double> lengths;
@@ -73,8 +74,8 @@ py::dict chains(const DoubleArray &nodes, const IntArray &divisions, double tole
 py::array_t<std::int32_t>
 solve(const DoubleArray &nodes, const IntArray &divisions,
       const std::vector<std::tuple<std::int32_t, int, std::int32_t, bool>> &wishes, double size,
-      double tolerance) {
-    const BlockModel model = block_model_of(nodes, divisions, py::none());
+      double tolerance, const std::optional<IntArray> &corners) {
+    const BlockModel model = block_model_of(nodes, divisions, py::none(), corners);
     validate(model);
     std::vector<DivisionWish> list;
     list.reserve(wishes.size());
@@ -121,11 +122,13 @@ void bind_blocking(py::module_ &module) {
     module.def("set_threads", &set_threads, py::arg("count"),
                "Threads of the kernel; 0 for as many as the machine has.");
     module.def("check", &check_model, py::arg("nodes"), py::arg("divisions"), py::arg("spacing"),
-               py::arg("tolerance") = -1.0, "What is wrong with a model; see block_check.h.");
+               py::arg("tolerance") = -1.0, py::arg("corners") = py::none(),
+               "What is wrong with a model; see block_check.h.");
     module.def("chains", &chains, py::arg("nodes"), py::arg("divisions"),
-               py::arg("tolerance") = -1.0, "Directions that need one count; see divisions.h.");
+               py::arg("tolerance") = -1.0, py::arg("corners") = py::none(),
+               "Directions that need one count; see divisions.h.");
     module.def("solve_divisions", &solve, py::arg("nodes"), py::arg("divisions"), py::arg("wishes"),
-               py::arg("size") = 0.0, py::arg("tolerance") = -1.0,
+               py::arg("size") = 0.0, py::arg("tolerance") = -1.0, py::arg("corners") = py::none(),
                "Divisions (NE, 2 | 3) that agree over the whole model; see divisions.h.");
     module.def("grading_positions", &grading_positions, py::arg("kind"), py::arg("count"),
                py::arg("ratio"), py::arg("first"), py::arg("last"), py::arg("values"),
@@ -133,6 +136,7 @@ void bind_blocking(py::module_ &module) {
     module.def("generate", &generate_mesh, py::arg("nodes"), py::arg("divisions"),
                py::arg("spacing") = py::none(), py::arg("tolerance") = -1.0,
                py::arg("force") = false, py::arg("progress") = py::none(),
+               py::arg("corners") = py::none(),
                "Structured mesh of blocks: {'points': (N, 3), 'cells': {name: (M, k)}}.");
 }
 

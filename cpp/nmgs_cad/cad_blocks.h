@@ -43,6 +43,7 @@ struct FitEntry {
     std::int32_t first_block = 0, blocks = 0;
     double error = 0; // largest distance found between the blocks' faces and the CAD's
     std::array<double, 3> place{0, 0, 0}; // where
+    double quality = 0; // least sine of an angle of the layout: what scaled Jacobians tend to
 };
 
 struct CadBlocks {

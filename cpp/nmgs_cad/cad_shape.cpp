@@ -2,6 +2,7 @@
 #include "nmgs_cad/cad_shape.h"
 
 #include "nmgs/support/error.h"
+#include "nmgs_cad/cad_geometry.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
@@ -38,6 +39,7 @@ double CadShape::diagonal() const {
 CadShape make_shape(const TopoDS_Shape &shape) {
     CadShape result;
     result.shape = shape;
+    result.geometry = std::make_shared<CadGeometryPool>();
     TopExp::MapShapes(shape, TopAbs_SOLID, result.solids);
     TopExp::MapShapes(shape, TopAbs_FACE, result.faces);
     TopExp::MapShapes(shape, TopAbs_EDGE, result.edges);

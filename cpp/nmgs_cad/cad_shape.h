@@ -9,16 +9,20 @@
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace nmgs::cad {
+
+class CadGeometryPool;
 
 // Index n of faces, edges and vertices is FreeCAD's FaceN, EdgeN, VertexN: 1-based, in the order of
 // TopExp::MapShapes.
 struct CadShape {
     TopoDS_Shape shape;
     TopTools_IndexedMapOfShape solids, faces, edges, vertices;
+    std::shared_ptr<CadGeometryPool> geometry; // see cad_geometry.h
 
     [[nodiscard]] TopoDS_Solid solid(int n) const;
     [[nodiscard]] TopoDS_Face face(int n) const;

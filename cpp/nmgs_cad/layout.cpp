@@ -3,14 +3,12 @@
 
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
-#include "nmgs_cad/edge_curve.h"
-#include "nmgs_cad/face_projection.h"
+#include "nmgs_cad/cad_geometry.h"
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 
 #include <algorithm>
-#include <optional>
 
 namespace nmgs::cad {
 namespace {
@@ -39,13 +37,14 @@ struct Curves {
     std::map<Four, int> faces;
 
     Curves(const CadShape &s, const Layout &l) : shape(s), layout(l) {
+        BorrowedGeometry geometry(shape);
         for (std::size_t n = 1; n < layout.edges.size(); ++n) {
             const auto &points = layout.edges[n];
-            if (points.size() < 2) {
+            const auto edge = static_cast<int>(n);
+            if (points.size() < 2 || BRep_Tool::Degenerated(shape.edge(edge))) {
                 continue;
             }
-            const auto edge = static_cast<int>(n);
-            const EdgeCurve curve(shape.edge(edge));
+            const EdgeCurve &curve = geometry->curve(edge);
             std::vector<double> at{0};
             for (std::size_t i = 1; i + 1 < points.size(); ++i) {
                 at.push_back(curve.fraction(layout.points[static_cast<std::size_t>(points[i])]));
@@ -56,8 +55,6 @@ struct Curves {
                                                          curve.at(0.5 * (at[i] + at[i + 1]))};
             }
         }
-        std::vector<std::optional<FaceProjection>> projections(
-            static_cast<std::size_t>(shape.faces.Extent()) + 1);
         for (const auto &quad : layout.quads) {
             const auto &p = quad.points;
             faces[four(p[0], p[1], p[2], p[3])] = quad.face;
@@ -71,11 +68,9 @@ struct Curves {
                 if (given != layout.middles.end()) {
                     middle = given->second;
                 } else {
-                    auto &projection = projections[static_cast<std::size_t>(quad.face)];
-                    if (!projection) {
-                        projection.emplace(shape.face(quad.face));
-                    }
-                    middle = projection->nearest(straight(key));
+                    FaceProjection &projection = geometry->face(quad.face);
+                    projection.start(layout.points[static_cast<std::size_t>(key[0])]);
+                    middle = projection.nearest(straight(key));
                 }
                 known[key] = {{2, quad.face}, middle};
             }
@@ -162,6 +157,7 @@ void append(const Curves &curves, std::span<const std::int32_t> corners, int own
     for (std::size_t n = 0; n < (dimension == 2 ? 8U : 20U); ++n) {
         blocks.model.nodes.push_back(place[static_cast<std::size_t>(part_of_node(dimension, n))]);
     }
+    blocks.model.corners.insert(blocks.model.corners.end(), corners.begin(), corners.end());
     blocks.model.divisions.push_back({1, 1, dimension == 3 ? 1 : 0});
     for (const auto &entities : on) {
         blocks.binding.entities.insert(blocks.binding.entities.end(), entities.begin(),
@@ -193,7 +189,8 @@ const std::vector<std::int32_t> &Layout::divide_edge(const CadShape &shape, int 
     if (!list.empty()) {
         return list;
     }
-    const EdgeCurve curve(shape.edge(n));
+    BorrowedGeometry geometry(shape);
+    const EdgeCurve &curve = geometry->curve(n);
     // Without regard to the edge's own orientation: as the curve runs.
     list.push_back(vertex(shape, shape.vertices.FindIndex(TopExp::FirstVertex(shape.edge(n)))));
     for (const double f : fractions) {

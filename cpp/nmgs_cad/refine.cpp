@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/refine.h"
 
+#include "nmgs/blocking/divisions.h"
 #include "nmgs/blocking/generate.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/support/parallel.h"
-#include "nmgs_cad/face_projection.h"
+#include "nmgs_cad/cad_geometry.h"
 #include "nmgs_cad/snap.h"
 
 #include <algorithm>
-#include <numeric>
-#include <set>
 
 namespace nmgs::cad {
 namespace {
@@ -27,49 +26,24 @@ struct Snapped {
     std::vector<Vec3> points;
 
     Snapped(const CadShape &shape, const CadBlocks &blocks,
-            std::vector<std::array<std::int32_t, 3>> divisions)
+            std::vector<std::array<std::int32_t, 3>> divisions, SnapParts parts,
+            const Progress &progress)
         : model(with(blocks.model, std::move(divisions))), topology(find_topology(model)),
           lattice(model, topology), points(static_cast<std::size_t>(lattice.node_count())) {
-        fill_points(model, lattice, points);
-        snap(shape, model, blocks.binding, lattice, points);
+        fill_points(model, lattice, points, progress);
+        snap(shape, model, blocks.binding, lattice, points, progress, 0, 1, parts);
     }
     static BlockModel with(const BlockModel &model,
                            std::vector<std::array<std::int32_t, 3>> divisions) {
         BlockModel result;
         result.dimension = model.dimension;
         result.nodes = model.nodes;
+        result.corners = model.corners;
         result.divisions = std::move(divisions);
         return result;
     }
     [[nodiscard]] Vec3 at(std::size_t block, LatticeIndex index) const {
         return points[static_cast<std::size_t>(lattice.node(block, index))];
-    }
-};
-
-// Union-find over the directions of blocks that share an edge.
-struct Chains {
-    std::vector<std::size_t> parent;
-    explicit Chains(const Topology &topology, const BlockModel &model) : parent(3 * model.size()) {
-        std::iota(parent.begin(), parent.end(), std::size_t{0});
-        for (std::size_t b = 0; b < model.size(); ++b) {
-            for (int code = 0; code < part::count; ++code) {
-                if (part::dimension(code) != 1 || (model.dimension == 2 && code >= 9)) {
-                    continue;
-                }
-                const Owner &owner = topology.of(b, code);
-                const auto mine = static_cast<std::size_t>(part::axes(code).axis[0]);
-                const auto theirs = static_cast<std::size_t>(part::axes(owner.part).axis[0]);
-                parent[root(3 * b + mine)] =
-                    root(3 * static_cast<std::size_t>(owner.block) + theirs);
-            }
-        }
-    }
-    std::size_t root(std::size_t n) {
-        while (parent[n] != n) {
-            parent[n] = parent[parent[n]];
-            n = parent[n];
-        }
-        return n;
     }
 };
 
@@ -118,16 +92,19 @@ double quadratic_error(const Snapped &fine, std::size_t block, int code, std::si
 } // namespace
 
 CadBlocks split_blocks(const CadShape &shape, const CadBlocks &blocks,
-                       const std::vector<std::array<std::int32_t, 3>> &pieces) {
+                       const std::vector<std::array<std::int32_t, 3>> &pieces,
+                       const Progress &progress) {
     const bool solid = blocks.model.dimension == 3;
     auto divisions = pieces;
     for (auto &g : divisions) {
         g = {2 * g[0], 2 * g[1], solid ? 2 * g[2] : 0};
     }
-    const Snapped fine(shape, blocks, divisions);
+    const Snapped fine(shape, blocks, divisions, SnapParts::all, progress);
     CadBlocks result;
     result.model.dimension = blocks.model.dimension;
     result.report = blocks.report;
+    // The halves' corners are nodes of the lattice, which shares them as the blocks do.
+    const bool numbered = !blocks.model.corners.empty();
     std::vector<std::int32_t> first; // of the new blocks of each old one
     for (std::size_t b = 0; b < blocks.model.size(); ++b) {
         first.push_back(static_cast<std::int32_t>(result.model.size()));
@@ -143,6 +120,10 @@ CadBlocks split_blocks(const CadShape &shape, const CadBlocks &blocks,
                                 solid ? hexa20::natural[m][d] : quad8::natural[m][d]));
                         }
                         result.model.nodes.push_back(fine.at(b, at));
+                        if (numbered && m < (solid ? 8U : 4U)) {
+                            result.model.corners.push_back(
+                                static_cast<std::int32_t>(fine.lattice.node(b, at)));
+                        }
                     }
                     result.model.divisions.push_back({1, 1, solid ? 1 : 0});
                     for (int code = 0; code < part::count; ++code) {
@@ -180,86 +161,164 @@ CadBlocks split_blocks(const CadShape &shape, const CadBlocks &blocks,
 
 FitError measure(const CadShape &shape, const CadBlocks &blocks, std::int32_t first,
                  std::int32_t last) {
-    FitError error;
-    constexpr int samples = 8;
     const bool solid = blocks.model.dimension == 3;
-    for (auto b = static_cast<std::size_t>(first); b < static_cast<std::size_t>(last); ++b) {
-        const auto nodes = blocks.model.element(b);
-        for (int code = 0; code < part::count; ++code) {
-            const auto on = blocks.binding.of(b, code);
-            if (part::dimension(code) != 2 || on.size() != 1 || on[0].dimension != 2) {
-                continue;
-            }
-            FaceProjection projection(shape.face(on[0].index));
-            const auto axes = part::axes(code);
-            const auto digits = part::digits(code);
-            for (int j = 0; j <= samples; ++j) {
-                for (int i = 0; i <= samples; ++i) {
-                    std::array<double, 3> t{};
-                    for (std::size_t d = 0; d < 3; ++d) {
-                        t[d] = digits[d] - 1;
-                    }
-                    t[static_cast<std::size_t>(axes.axis[0])] = 2.0 * i / samples - 1;
-                    t[static_cast<std::size_t>(axes.axis[1])] = 2.0 * j / samples - 1;
-                    const Vec3 p = solid ? hexa20::map(nodes.first<20>(), t[0], t[1], t[2])
-                                         : quad8::map(nodes.first<8>(), t[0], t[1]);
-                    const double d = distance(p, projection.nearest(p));
-                    if (d > error.distance) {
-                        error = {d, {p.x, p.y, p.z}};
+    const auto count = static_cast<std::size_t>(std::max(0, last - first));
+    // Where blocks are many, each is small.
+    const int samples = count > 2000 ? 4 : 8;
+    std::vector<FitError> errors(count);
+    constexpr std::size_t grain = 16;
+    parallel_for(count, grain, [&](std::size_t from, std::size_t to) {
+        BorrowedGeometry geometry(shape);
+        for (std::size_t n = from; n < to; ++n) {
+            const std::size_t b = static_cast<std::size_t>(first) + n;
+            const auto nodes = blocks.model.element(b);
+            for (int code = 0; code < part::count; ++code) {
+                const auto on = blocks.binding.of(b, code);
+                if (part::dimension(code) != 2 || on.size() != 1 || on[0].dimension != 2) {
+                    continue;
+                }
+                FaceProjection &projection = geometry->face(on[0].index);
+                const auto axes = part::axes(code);
+                const auto digits = part::digits(code);
+                for (int j = 0; j <= samples; ++j) {
+                    for (int k = 0; k <= samples; ++k) {
+                        // There and back, so that each point is near the last.
+                        const int i = j % 2 == 0 ? k : samples - k;
+                        std::array<double, 3> t{};
+                        for (std::size_t d = 0; d < 3; ++d) {
+                            t[d] = digits[d] - 1;
+                        }
+                        t[static_cast<std::size_t>(axes.axis[0])] = 2.0 * i / samples - 1;
+                        t[static_cast<std::size_t>(axes.axis[1])] = 2.0 * j / samples - 1;
+                        const Vec3 p = solid ? hexa20::map(nodes.first<20>(), t[0], t[1], t[2])
+                                             : quad8::map(nodes.first<8>(), t[0], t[1]);
+                        const double d = distance(p, projection.nearest(p));
+                        if (d > errors[n].distance) {
+                            errors[n] = {d, {p.x, p.y, p.z}};
+                        }
                     }
                 }
             }
         }
+    });
+    FitError worst;
+    for (const FitError &error : errors) {
+        worst = error.distance > worst.distance ? error : worst;
     }
-    return error;
+    return worst;
 }
 
-CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double tolerance,
-                              int max_rounds, const Progress &progress) {
-    const bool solid = blocks.model.dimension == 3;
-    for (int round = 0; round < max_rounds && blocks.model.size() > 0; ++round) {
-        poll(progress, static_cast<double>(round) / max_rounds);
-        const std::size_t n = blocks.model.size();
-        const Snapped fine(
-            shape, blocks,
-            std::vector(n, std::array<std::int32_t, 3>{truth, truth, solid ? truth : 0}));
-        std::vector<char> wanted(3 * n, 0);
-        parallel_for(n, 1, [&](std::size_t from, std::size_t to) {
-            for (std::size_t b = from; b < to; ++b) {
-                for (int code = 0; code < part::count; ++code) {
-                    const auto on = blocks.binding.of(b, code);
-                    if (part::dimension(code) != 2 || on.empty() || on[0].dimension != 2) {
-                        continue;
-                    }
-                    const auto axes = part::axes(code);
-                    const auto u = static_cast<std::size_t>(axes.axis[0]);
-                    const auto v = static_cast<std::size_t>(axes.axis[1]);
-                    // Two directions and the term that the serendipity patch lacks share the error.
-                    const double share = tolerance / 3;
-                    if (quadratic_error(fine, b, code, u, v) > share) {
-                        wanted[3 * b + u] = 1;
-                    }
-                    if (quadratic_error(fine, b, code, v, u) > share) {
-                        wanted[3 * b + v] = 1;
-                    }
+namespace {
+
+// By how much the quadratics along each direction of each block miss the CAD, the larger of a
+// chain's for all its directions.
+std::vector<double> errors_of_chains(const CadBlocks &blocks, const Snapped &fine,
+                                     const Chains &chains) {
+    const std::size_t n = blocks.model.size();
+    const auto dimension = static_cast<std::size_t>(blocks.model.dimension);
+    std::vector<double> errors(dimension * n, 0);
+    parallel_for(n, 1, [&](std::size_t from, std::size_t to) {
+        for (std::size_t b = from; b < to; ++b) {
+            for (int code = 0; code < part::count; ++code) {
+                const auto on = blocks.binding.of(b, code);
+                if (part::dimension(code) != 2 || on.empty() || on[0].dimension != 2) {
+                    continue;
                 }
-            }
-        });
-        Chains chains(fine.topology, fine.model);
-        std::set<std::size_t> split;
-        for (std::size_t d = 0; d < 3 * n; ++d) {
-            if (wanted[d] != 0) {
-                split.insert(chains.root(d));
+                const auto axes = part::axes(code);
+                const auto u = static_cast<std::size_t>(axes.axis[0]);
+                const auto v = static_cast<std::size_t>(axes.axis[1]);
+                double &along_u = errors[dimension * b + u];
+                double &along_v = errors[dimension * b + v];
+                along_u = std::max(along_u, quadratic_error(fine, b, code, u, v));
+                along_v = std::max(along_v, quadratic_error(fine, b, code, v, u));
             }
         }
-        if (split.empty()) {
+    });
+    std::vector<double> result(static_cast<std::size_t>(chains.count), 0);
+    for (std::size_t d = 0; d < errors.size(); ++d) {
+        double &error = result[static_cast<std::size_t>(chains.chain[d])];
+        error = std::max(error, errors[d]);
+    }
+    return result;
+}
+
+// Which chains are halved: those with an error above the share, the worst first, as long as there
+// are no more than most_blocks then.
+std::vector<char> chains_to_split(const BlockModel &model, const Chains &chains,
+                                  const std::vector<double> &errors, double share,
+                                  std::size_t most_blocks) {
+    std::vector<std::size_t> wanted;
+    for (std::size_t c = 0; c < errors.size(); ++c) {
+        if (errors[c] > share) {
+            wanted.push_back(c);
+        }
+    }
+    std::stable_sort(wanted.begin(), wanted.end(),
+                     [&](std::size_t a, std::size_t b) { return errors[a] > errors[b]; });
+    std::vector<std::vector<std::size_t>> blocks_of(errors.size());
+    const auto dimension = static_cast<std::size_t>(model.dimension);
+    for (std::size_t d = 0; d < chains.chain.size(); ++d) {
+        blocks_of[static_cast<std::size_t>(chains.chain[d])].push_back(d / dimension);
+    }
+    std::vector<char> split(errors.size(), 0);
+    std::vector<std::size_t> pieces(model.size(), 1);
+    std::size_t count = model.size();
+    for (const std::size_t c : wanted) {
+        std::size_t after = count;
+        std::size_t last = model.size();
+        std::size_t factor = 1;
+        // A chain may go through a block in two directions or three.
+        for (const std::size_t b : blocks_of[c]) {
+            factor = b == last ? 2 * factor : 1;
+            after += factor * pieces[b];
+            last = b;
+        }
+        if (after > most_blocks) {
+            continue;
+        }
+        count = after;
+        split[c] = 1;
+        for (const std::size_t b : blocks_of[c]) {
+            pieces[b] *= 2;
+        }
+    }
+    return split;
+}
+
+} // namespace
+
+CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double tolerance,
+                              int max_rounds, const Progress &progress, std::size_t most_blocks) {
+    const bool solid = blocks.model.dimension == 3;
+    const auto dimension = static_cast<std::size_t>(blocks.model.dimension);
+    const auto poll_at = [&](double fraction) {
+        return progress ? Progress([&progress, fraction](double) { return progress(fraction); })
+                        : Progress();
+    };
+    for (int round = 0; round < max_rounds && blocks.model.size() < most_blocks; ++round) {
+        const Progress listener = poll_at(static_cast<double>(round) / max_rounds);
+        poll(listener, 0);
+        const std::size_t n = blocks.model.size();
+        if (n == 0) {
             break;
         }
-        std::vector<std::array<std::int32_t, 3>> pieces(n);
-        for (std::size_t d = 0; d < 3 * n; ++d) {
-            pieces[d / 3][d % 3] = split.contains(chains.root(d)) ? 2 : 1;
+        const Snapped fine(
+            shape, blocks,
+            std::vector(n, std::array<std::int32_t, 3>{truth, truth, solid ? truth : 0}),
+            SnapParts::boundary, listener);
+        const Chains chains = find_chains(fine.model, fine.topology);
+        // Two directions and the term that the serendipity patch lacks share the error.
+        const auto split = chains_to_split(
+            fine.model, chains, errors_of_chains(blocks, fine, chains), tolerance / 3, most_blocks);
+        if (std::find(split.begin(), split.end(), 1) == split.end()) {
+            break;
         }
-        blocks = split_blocks(shape, blocks, pieces);
+        std::vector<std::array<std::int32_t, 3>> pieces(n, {1, 1, 1});
+        for (std::size_t d = 0; d < chains.chain.size(); ++d) {
+            pieces[d / dimension][d % dimension] =
+                split[static_cast<std::size_t>(chains.chain[d])] != 0 ? 2 : 1;
+        }
+        blocks = split_blocks(shape, blocks, pieces, listener);
     }
     for (FitEntry &entry : blocks.report) {
         if (!entry.method.empty()) {

@@ -11,13 +11,17 @@ namespace nmgs::cad {
 // Splits each block in two along the directions that pieces[block] asks for (2; 1 keeps it). Blocks
 // that share an edge must ask for the same along it. New nodes lie on the CAD as snap() puts them.
 CadBlocks split_blocks(const CadShape &shape, const CadBlocks &blocks,
-                       const std::vector<std::array<std::int32_t, 3>> &pieces);
+                       const std::vector<std::array<std::int32_t, 3>> &pieces,
+                       const Progress &progress = {});
 
 // Splits along whole chains of blocks, only in directions in which the quadratic does not follow
 // the CAD, until no block's face is farther than tolerance from its CAD face, or no more than
-// max_rounds times. The report's errors are measured anew.
+// max_rounds times. Chains whose halving would lead to more than most_blocks blocks are kept, the
+// least bad ones first: in unstructured layouts a chain goes through most of the blocks. The
+// report's errors are measured anew and say what was reached.
 CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double tolerance,
-                              int max_rounds, const Progress &progress = {});
+                              int max_rounds, const Progress &progress = {},
+                              std::size_t most_blocks = 4096);
 
 // Largest distance of the faces of blocks [first, last) from the CAD faces that they lie on, by
 // sampling, and where.

@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/snap.h"
 
+#include "nmgs/element/hexa20.h"
+#include "nmgs/element/quad8.h"
 #include "nmgs/support/parallel.h"
-#include "nmgs_cad/edge_curve.h"
-#include "nmgs_cad/face_projection.h"
+#include "nmgs_cad/cad_geometry.h"
 
 #include <BRep_Tool.hxx>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace nmgs::cad {
 namespace {
+
+constexpr std::int32_t rows_at_a_time = 32; // of a face, so that threads share a large one
+
+// The mid-side node on an edge part.
+std::size_t middle_node(int dimension, int code) {
+    const auto digits = part::digits(code);
+    const std::size_t count = dimension == 2 ? quad8::nodes : hexa20::nodes;
+    for (std::size_t n = 0; n < count; ++n) {
+        bool same = true;
+        for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
+            const double natural = dimension == 2 ? quad8::natural[n][d] : hexa20::natural[n][d];
+            same = same && natural == digits[d] - 1;
+        }
+        if (same) {
+            return n;
+        }
+    }
+    return 0;
+}
 
 struct Snapper {
     const CadShape &shape;
@@ -60,21 +79,32 @@ struct Snapper {
         return lattice.owns(block, at);
     }
 
-    void corner(std::size_t block, int code);
-    void edge(std::size_t block, int code);
-    void face(std::size_t block, int code);
+    void corner(std::size_t block, int code, CadGeometry &geometry);
+    void edge(std::size_t block, int code, CadGeometry &geometry);
+    // Rows [first, last) of the face's inner nodes.
+    void face(std::size_t block, int code, std::int32_t first, std::int32_t last,
+              CadGeometry &geometry);
     void inside(std::size_t block, std::int32_t first, std::int32_t last);
 };
 
-void Snapper::corner(std::size_t block, int code) {
+void Snapper::corner(std::size_t block, int code, CadGeometry &geometry) {
     const auto on = binding.of(block, code);
-    if (on.size() == 1 && on[0].dimension == 0) {
-        const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(on[0].index));
-        points[id(block, origin(block, code))] = {p.X(), p.Y(), p.Z()};
+    if (on.size() != 1 || on[0].dimension == 3) {
+        return;
+    }
+    Vec3 &p = points[id(block, origin(block, code))];
+    if (on[0].dimension == 0) {
+        const gp_Pnt vertex = BRep_Tool::Pnt(shape.vertex(on[0].index));
+        p = {vertex.X(), vertex.Y(), vertex.Z()};
+    } else if (on[0].dimension == 1) {
+        const EdgeCurve &curve = geometry.curve(on[0].index);
+        p = curve.at(curve.fraction(p));
+    } else {
+        p = geometry.face(on[0].index).nearest(p);
     }
 }
 
-void Snapper::edge(std::size_t block, int code) {
+void Snapper::edge(std::size_t block, int code, CadGeometry &geometry) {
     const auto on = binding.of(block, code);
     const auto axis = static_cast<std::size_t>(part::axes(code).axis[0]);
     const std::int32_t n = lattice.divisions(block)[axis];
@@ -84,10 +114,12 @@ void Snapper::edge(std::size_t block, int code) {
     LatticeIndex high = at;
     high[axis] = n;
     if (on.size() == 1 && on[0].dimension == 1) {
-        const EdgeCurve curve(shape.edge(on[0].index));
-        // A block that was halved covers a part of the edge.
-        const double from = curve.fraction(points[id(block, low)]);
-        const double to = curve.fraction(points[id(block, high)]);
+        // A block that covers a part of the edge: its mid-side node tells which, where the edge is
+        // closed.
+        const EdgeCurve &curve = geometry.curve(on[0].index);
+        const auto [from, to] = curve.part(points[id(block, low)],
+                                           model.element(block)[middle_node(model.dimension, code)],
+                                           points[id(block, high)]);
         for (at[axis] = 1; at[axis] < n; ++at[axis]) {
             const double f = t[static_cast<std::size_t>(at[axis])];
             points[id(block, at)] = curve.at(from + f * (to - from));
@@ -102,7 +134,8 @@ void Snapper::edge(std::size_t block, int code) {
         points[id(block, at)] += (1 - f) * a + f * b;
     }
     if (project) {
-        FaceProjection projection(shape.face(on[0].index));
+        FaceProjection &projection = geometry.face(on[0].index);
+        projection.start(points[id(block, low)]);
         for (at[axis] = 1; at[axis] < n; ++at[axis]) {
             Vec3 &p = points[id(block, at)];
             p = projection.nearest(p);
@@ -110,7 +143,8 @@ void Snapper::edge(std::size_t block, int code) {
     }
 }
 
-void Snapper::face(std::size_t block, int code) {
+void Snapper::face(std::size_t block, int code, std::int32_t first, std::int32_t last,
+                   CadGeometry &geometry) {
     const auto on = binding.of(block, code);
     const auto axes = part::axes(code);
     const auto u = static_cast<std::size_t>(axes.axis[0]);
@@ -130,14 +164,20 @@ void Snapper::face(std::size_t block, int code) {
     const Vec3 c10 = rim(g[u], 0);
     const Vec3 c01 = rim(0, g[v]);
     const Vec3 c11 = rim(g[u], g[v]);
-    std::optional<FaceProjection> projection;
-    if (on.size() == 1 && on[0].dimension == 2) {
-        projection.emplace(shape.face(on[0].index));
-    }
-    for (std::int32_t j = 1; j < g[v]; ++j) {
+    FaceProjection *projection =
+        on.size() == 1 && on[0].dimension == 2 ? &geometry.face(on[0].index) : nullptr;
+    FaceProjection::Guess row_start;
+    for (std::int32_t j = first; j < last; ++j) {
         const double b = t[static_cast<std::size_t>(j)];
         const Vec3 low = rim(0, j);
         const Vec3 high = rim(g[u], j);
+        if (projection != nullptr && j == first) {
+            // From a node that is on the face already: its neighbours are then found on the same
+            // sheet of the surface.
+            projection->start(points[id(block, at(0, j))]);
+        } else if (projection != nullptr) {
+            projection->set_guess(row_start);
+        }
         for (std::int32_t i = 1; i < g[u]; ++i) {
             const double a = s[static_cast<std::size_t>(i)];
             Vec3 move = (1 - a) * low + a * high + (1 - b) * rim(i, 0) + b * rim(i, g[v]);
@@ -147,6 +187,9 @@ void Snapper::face(std::size_t block, int code) {
             p += move;
             if (projection) {
                 p = projection->nearest(p);
+                if (i == 1) {
+                    row_start = projection->guess();
+                }
             }
         }
     }
@@ -190,40 +233,52 @@ void Snapper::inside(std::size_t block, std::int32_t first, std::int32_t last) {
 
 void snap(const CadShape &shape, const BlockModel &model, const CadBinding &binding,
           const Lattice &lattice, std::span<Vec3> points, const Progress &progress, double from,
-          double to) {
+          double to, SnapParts parts) {
     Snapper snapper{shape,   model,  binding,
                     lattice, points, std::vector<Vec3>(points.begin(), points.end())};
     struct Piece {
         std::size_t block;
         int code;
+        std::int32_t first, last; // rows of a face
     };
     std::array<std::vector<Piece>, 3> pieces;
     const int codes = model.dimension == 2 ? 9 : part::count;
     for (std::size_t b = 0; b < model.size(); ++b) {
         for (int code = 0; code < codes; ++code) {
             const int dimension = part::dimension(code);
-            if (dimension < 3 && snapper.owned(b, code)) {
-                pieces[static_cast<std::size_t>(dimension)].push_back({b, code});
+            if (dimension == 3 || !snapper.owned(b, code)) {
+                continue;
+            }
+            const std::int32_t rows =
+                dimension < 2
+                    ? 2
+                    : lattice.divisions(b)[static_cast<std::size_t>(part::axes(code).axis[1])];
+            for (std::int32_t j = 1; j < rows; j += rows_at_a_time) {
+                pieces[static_cast<std::size_t>(dimension)].push_back(
+                    {b, code, j, std::min(j + rows_at_a_time, rows)});
             }
         }
     }
     double done = from;
     const double step = (to - from) / 4;
     for (std::size_t d = 0; d < 3; ++d) {
+        constexpr std::size_t grain = 8;
         parallel_for(
-            pieces[d].size(), 1,
+            pieces[d].size(), grain,
             [&](std::size_t first, std::size_t last) {
+                BorrowedGeometry geometry(shape);
                 for (std::size_t n = first; n < last; ++n) {
-                    const auto [block, code] = pieces[d][n];
-                    d == 0   ? snapper.corner(block, code)
-                    : d == 1 ? snapper.edge(block, code)
-                             : snapper.face(block, code);
+                    const Piece &piece = pieces[d][n];
+                    d == 0 ? snapper.corner(piece.block, piece.code, *geometry)
+                    : d == 1
+                        ? snapper.edge(piece.block, piece.code, *geometry)
+                        : snapper.face(piece.block, piece.code, piece.first, piece.last, *geometry);
                 }
             },
             progress, done, done + step);
         done += step;
     }
-    if (model.dimension == 3) {
+    if (model.dimension == 3 && parts == SnapParts::all) {
         struct Layer {
             std::size_t block;
             std::int32_t k;

@@ -2,13 +2,19 @@
 #include "nmgs_cad/solid_layout.h"
 
 #include "nmgs/support/error.h"
+#include "nmgs_cad/cut.h"
 #include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/mapped.h"
 #include "nmgs_cad/midpoint.h"
+#include "nmgs_cad/primitive.h"
+#include "nmgs_cad/submap.h"
+#include "nmgs_cad/sweep.h"
 
 #include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
+#include <TopoDS.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +27,8 @@ namespace nmgs::cad {
 namespace {
 
 constexpr SolidStrategy strategies[] = {
-    {"mapped", &fill_mapped},
-    {"mid-point", &fill_midpoint},
+    {"mapped", &fill_mapped}, {"primitive", &fill_primitive}, {"submap", &fill_submap},
+    {"sweep", &fill_sweep},   {"mid-point", &fill_midpoint},  {"cut", &fill_cut},
 };
 
 // More than the volume of a coarse mesh of a round solid may be wrong by.
@@ -32,6 +38,45 @@ double volume_of(const CadShape &shape, int solid) {
     GProp_GProps properties;
     BRepGProp::VolumeProperties(shape.solid(solid), properties);
     return std::abs(properties.Mass());
+}
+
+// Vertices, edges and faces of the solid that the layout has nothing on: what lies embedded in a
+// face or in the solid, for example, where a strategy looks at boundaries only.
+std::vector<std::string> uncovered(const CadShape &shape, int solid, const Layout &layout) {
+    std::set<int> vertices;
+    for (const CadEntity &entity : layout.on) {
+        if (entity.dimension == 0) {
+            vertices.insert(entity.index);
+        }
+    }
+    std::set<int> faces;
+    for (const auto &quad : layout.quads) {
+        faces.insert(quad.face);
+    }
+    std::vector<std::string> names;
+    TopTools_IndexedMapOfShape parts;
+    TopExp::MapShapes(shape.solid(solid), parts);
+    for (int i = 1; i <= parts.Extent(); ++i) {
+        const TopoDS_Shape &part = parts(i);
+        if (part.ShapeType() == TopAbs_VERTEX) {
+            const int n = shape.vertices.FindIndex(part);
+            if (!vertices.contains(n)) {
+                names.push_back(entity_name(0, n));
+            }
+        } else if (part.ShapeType() == TopAbs_EDGE) {
+            const int n = shape.edges.FindIndex(part);
+            if (layout.edges[static_cast<std::size_t>(n)].size() < 2 &&
+                !BRep_Tool::Degenerated(TopoDS::Edge(part))) {
+                names.push_back(entity_name(1, n));
+            }
+        } else if (part.ShapeType() == TopAbs_FACE) {
+            const int n = shape.faces.FindIndex(part);
+            if (!faces.contains(n)) {
+                names.push_back(entity_name(2, n));
+            }
+        }
+    }
+    return names;
 }
 
 struct Filling {
@@ -60,6 +105,9 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         }
         poll(progress, 0.0);
+        if (strategy == &fill_cut && best && best->quality.worst >= options.good) {
+            break; // the search for cuts is dear
+        }
         const auto refuse = [&](const Refusal &refusal) {
             entry.reason +=
                 (entry.reason.empty() ? "" : "; ") + std::string(name) + ": " + refusal.reason;
@@ -77,6 +125,11 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         } catch (const Standard_Failure &failure) {
             refuse({std::string("OpenCASCADE: ") + failure.GetMessageString(), {}});
+            continue;
+        }
+        const auto left_out = uncovered(shape, solid, filling.layout);
+        if (!left_out.empty()) {
+            refuse({"it would not cover " + left_out.front(), left_out});
             continue;
         }
         filling.quality = layout_quality(shape, filling.layout, layout.hexas.size());

@@ -48,8 +48,16 @@ void on_exit() {
 void run(const Request &request) {
     Input input(request);
     std::string switches = request.text(In::switches);
+    tetgenbehavior behavior;
+    if (!behavior.parse_commandline(switches.data())) {
+        throw input_code;
+    }
+    // Of an STL file's facets TetGen drops the repeated points early; with -Y its mesh differs.
+    if (const std::int32_t *stl = request.ints(In::stl); stl != nullptr && *stl != 0) {
+        behavior.object = tetgenbehavior::STL;
+    }
     tetgenio result;
-    tetrahedralize(switches.data(), &input.main, &result,
+    tetrahedralize(&behavior, &input.main, &result,
                    input.added.numberofpoints > 0 ? &input.added : nullptr,
                    input.background.numberofpoints > 0 ? &input.background : nullptr);
     std::fflush(stdout);

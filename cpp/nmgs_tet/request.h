@@ -28,6 +28,7 @@ enum class In : std::uint32_t {
     edge_markers = 119,        // int32 (E)
     holes = 120,               // float64 (H, 3)
     regions = 121,             // float64 (R, 5): point, attribute, largest volume
+    stl = 122,                 // int32 (1): not 0 where facets are an STL file's triangles
     tetra = 130,               // int32 (M, 4 | 10), TetGen's node order, -r
     tetra_attributes = 131,    // float64 (M, k)
     tetra_volumes = 132,       // float64 (M), largest volume of each, -ra

@@ -7,8 +7,10 @@ import FreeCAD  # noqa: F401
 import numpy as np
 import Part
 import pytest
+from element_meshes import mixed
 
 from freecad.NMGSWorkbench import nmgs
+from freecad.NMGSWorkbench.nmgs.mesh import CELL_TYPES
 
 DECK = """*INCLUDE, INPUT=mesh.inp
 *MATERIAL, NAME=M
@@ -27,6 +29,35 @@ U
 EVOL
 *END STEP
 """
+
+ALL_TYPES = """*INCLUDE, INPUT=mesh.inp
+*ELSET, ELSET=All
+%s
+*MATERIAL, NAME=M
+*ELASTIC
+1000., 0.
+*SOLID SECTION, ELSET=All, MATERIAL=M
+*BOUNDARY
+Face1, 1, 3
+*STEP
+*STATIC
+*CLOAD
+1, 1, 1.
+*EL PRINT, ELSET=All, TOTALS=ONLY
+EVOL
+*END STEP
+""" % ",\n".join(
+    map(str, range(1, 22))
+)
+#: Nodes of the sides of C3D8 from Abaqus's manual, 1-based.
+ABAQUS_HEXAHEDRON_SIDES = (
+    (1, 2, 3, 4),
+    (5, 8, 7, 6),
+    (1, 5, 6, 2),
+    (2, 6, 7, 3),
+    (3, 7, 8, 4),
+    (4, 8, 5, 1),
+)
 
 MESHES = {
     "hexahedron": lambda model: model.generate(),
@@ -75,15 +106,51 @@ def test_meshio_reads_it_back(kind, extension, tmp_path):
     assert (again.cells[kind] == mesh.cells[kind]).all()
 
 
-def test_pieces_that_have_no_element_are_refused_and_the_file_stays(tmp_path):
-    path = tmp_path / "mesh.inp"
-    path.write_text("mine")
-    pyramid = nmgs.Mesh(
-        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0.5, 1]], {"pyramid": [[0, 1, 2, 3, 4]]}
+@pytest.mark.parametrize("order", (1, 2))
+def test_calculix_and_meshio_read_all_types_of_cells(order, tmp_path):
+    """The box of 5 x 1 x 1 in hexahedra, wedges, pyramids and tetrahedra has volume 5."""
+    mesh = mixed(order)
+    mesh.groups["Ends of all"] = ("node", np.array([0, 1]))
+    nmgs.write(tmp_path / "mesh.inp", mesh)
+    (tmp_path / "run.inp").write_text(ALL_TYPES)
+    done = subprocess.run(
+        ["ccx", "run"], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
-    with pytest.raises(ValueError, match="pyramid"):
-        nmgs.write(path, pyramid)
-    assert path.read_text() == "mine"
+    assert "ERROR" not in done.stdout, done.stdout[-2000:]
+    rows = [line.split() for line in (tmp_path / "run.dat").read_text().splitlines()]
+    volumes = [float(row[0]) for row in rows if len(row) == 1]
+    assert sum(volumes) == pytest.approx(5, rel=1e-5)
+    back = nmgs.read(tmp_path / "mesh.inp")
+    for kind, cells in mesh.cells.items():
+        if CELL_TYPES[kind][1] == 3:
+            assert np.array_equal(back.cells[kind], cells)
+    assert set(back.groups) >= {"Solid1", "Solid2", "Face1", "Edge1", "Vertex1", "Ends_of_all"}
+
+
+def test_collapsed_surfaces_lie_on_the_right_sides(tmp_path):
+    """The side that is named has the nodes of the pyramid's triangle, by Abaqus's own table."""
+    points = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 1]]
+    for corners in ([0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]):
+        mesh = nmgs.Mesh(
+            points,
+            {"pyramid": [[0, 1, 2, 3, 4]], "triangle": [corners]},
+            {"Side": ("triangle", [0])},
+        )
+        path = tmp_path / "mesh.inp"
+        nmgs.write(path, mesh)
+        element, side = path.read_text().split("TYPE=ELEMENT\n")[1].split(", ")
+        face = ABAQUS_HEXAHEDRON_SIDES[int(side[1]) - 1]
+        nodes = [int(n) for n in path.read_text().split("C3D8")[1].splitlines()[1].split(",")[1:]]
+        assert {nodes[n - 1] - 1 for n in face} == set(corners)
+
+
+def test_plane_elements(tmp_path):
+    mesh = nmgs.shapes.square(1.0, divisions=2).generate(order=2)
+    for plane, name in ((None, "S8"), ("stress", "CPS8"), ("strain", "CPE8")):
+        nmgs.write(tmp_path / "mesh.inp", mesh, plane=plane)
+        assert f"TYPE={name}," in (tmp_path / "mesh.inp").read_text()
+    with pytest.raises(ValueError, match="axial"):
+        nmgs.write(tmp_path / "mesh.inp", mesh, plane="axial")
     assert [p.name for p in tmp_path.iterdir()] == ["mesh.inp"]
 
 

@@ -259,6 +259,20 @@ def test_parity_with_the_program(path, tmp_path):
         assert same_mesh(ours, theirs)
 
 
+@has_program
+@pytest.mark.skipif(not FILES, reason="no corpus: set NMGS_CORPUS")
+def test_parity_where_the_boundary_of_an_stl_is_kept(tmp_path):
+    """TetGen drops an STL's repeated points before it recovers the boundary, others' after."""
+    tried = 0
+    for path in corpus_files("stl"):
+        (tmp_path / path.stem).mkdir()
+        theirs = program(tmp_path / path.stem, path, "pY")
+        if theirs is not None:
+            assert same_mesh(nmgs.tetrahedralize(path, "pY"), theirs)
+            tried += 1
+    assert tried > 3
+
+
 @pytest.mark.skipif(not FILES, reason="no corpus: set NMGS_CORPUS")
 def test_closed_surfaces_keep_their_volume():
     tried = 0

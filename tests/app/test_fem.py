@@ -5,6 +5,7 @@ import FreeCAD
 import numpy as np
 import Part
 import pytest
+from element_meshes import mixed
 from FreeCAD import Vector
 
 from freecad.NMGSWorkbench import nmgs
@@ -112,6 +113,16 @@ def test_a_load_without_faces_is_an_error(document):
     force = [o for o in analysis.Group if o.isDerivedFrom("Fem::ConstraintForce")][0]
     force.References = [(elsewhere, "Face1")]
     with pytest.raises(fem_analysis.SolverError):
+        fem_analysis.solve(analysis)
+
+
+def test_pyramids_are_refused(document):
+    part = box(document)
+    obj = nmgs.to_fem(mixed(), document)
+    analysis = fem_analysis.static_analysis(
+        part, obj, face_at(part, 0), face_at(part, LENGTH), LOAD
+    )
+    with pytest.raises(fem_analysis.SolverError, match="7 pyramids"):
         fem_analysis.solve(analysis)
 
 

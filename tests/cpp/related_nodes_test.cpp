@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/mesh/related_nodes.h"
 
+#include "nmgs/convert/hexa_to_tetra.h"
 #include "nmgs/support/error.h"
 #include "nmgs/support/parallel.h"
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -55,6 +57,86 @@ TEST(RelatedNodes, ManyRandomCellsForAnyNumberOfThreads) {
         EXPECT_EQ(rows(nmgs::related_nodes(points, {&view, 1})), expected);
     }
     nmgs::set_threads(0);
+}
+
+std::vector<std::set<std::int32_t>> expected_rows(std::size_t points,
+                                                  const std::vector<std::int32_t> &tetrahedra) {
+    std::vector<std::set<std::int32_t>> expected(points);
+    for (std::size_t t = 0; t < tetrahedra.size(); t += 4) {
+        for (std::size_t a = 0; a < 4; ++a) {
+            for (std::size_t b = 0; b < 4; ++b) {
+                if (a != b) {
+                    expected[static_cast<std::size_t>(tetrahedra[t + a])].insert(tetrahedra[t + b]);
+                }
+            }
+        }
+    }
+    return expected;
+}
+
+// Split hexahedra are recognised; in their own order and numbering, in any other, and with a pair
+// of tetrahedra that breaks the pattern.
+TEST(RelatedNodes, SplitHexahedra) {
+    constexpr std::int32_t n = 9;
+    std::vector<nmgs::Vec3> points;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> shift(-0.2, 0.2);
+    for (std::int32_t i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
+        points.push_back({i % (n + 1) + shift(random), i / (n + 1) % (n + 1) + shift(random),
+                          i / (n + 1) / (n + 1) + shift(random)});
+    }
+    std::vector<std::int32_t> hexahedra;
+    for (std::int32_t c = 0; c < n * n * n; ++c) {
+        const std::int32_t low = c % n + (n + 1) * (c / n % n + (n + 1) * (c / n / n));
+        for (const std::int32_t at : {low, low + (n + 1) * (n + 1)}) {
+            hexahedra.insert(hexahedra.end(), {at, at + 1, at + n + 2, at + n + 1});
+        }
+    }
+    std::vector<std::int32_t> tetrahedra(6 * hexahedra.size());
+    std::vector<nmgs::Vec3> centroids(hexahedra.size() / 8);
+    nmgs::split_hexahedra(points, hexahedra, static_cast<std::int32_t>(points.size()), tetrahedra,
+                          centroids);
+    const std::size_t total = points.size() + centroids.size();
+    const auto check = [&] {
+        const CellView view{CellType::tetra, tetrahedra};
+        for (const int threads : {1, 3}) {
+            nmgs::set_threads(threads);
+            EXPECT_EQ(rows(nmgs::related_nodes(total, {&view, 1})),
+                      expected_rows(total, tetrahedra));
+        }
+        nmgs::set_threads(0);
+    };
+    check();
+    std::vector<std::int32_t> number(total);
+    std::iota(number.begin(), number.end(), 0);
+    std::shuffle(number.begin(), number.end(), random);
+    for (std::int32_t &node : tetrahedra) {
+        node = number[static_cast<std::size_t>(node)];
+    }
+    check();
+    std::swap_ranges(tetrahedra.begin() + 480, tetrahedra.begin() + 484, tetrahedra.begin());
+    tetrahedra.insert(tetrahedra.end(), tetrahedra.begin() + 96, tetrahedra.begin() + 192);
+    check();
+}
+
+// One node that all others are joined to: more than a row holds.
+TEST(RelatedNodes, OneNodeOfAllCells) {
+    constexpr std::int32_t points = 5000;
+    std::vector<std::int32_t> triangles;
+    for (std::int32_t n = 1; n + 1 < points; ++n) {
+        triangles.insert(triangles.end(), {0, n + 1, n});
+    }
+    const CellView view{CellType::triangle, triangles};
+    const auto related = rows(nmgs::related_nodes(points, {&view, 1}));
+    EXPECT_EQ(related[0].size(), static_cast<std::size_t>(points - 1));
+    EXPECT_EQ(related[7], (std::set<std::int32_t>{0, 6, 8}));
+}
+
+TEST(RelatedNodes, NoCells) {
+    const auto related = nmgs::related_nodes(3, {});
+    EXPECT_EQ(std::vector<std::int64_t>(related.offsets.begin(), related.offsets.end()),
+              std::vector<std::int64_t>(4, 0));
+    EXPECT_EQ(nmgs::related_nodes(0, {}).offsets.size(), 1U);
 }
 
 TEST(RelatedNodes, NamesTheCellWithAWrongNode) {

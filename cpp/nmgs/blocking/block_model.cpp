@@ -55,6 +55,20 @@ void validate(const BlockModel &model) {
                             std::to_string(model.size()) + " elements, got " +
                             std::to_string(model.nodes.size()));
     }
+    const std::size_t corners =
+        model.size() * static_cast<std::size_t>(model.corners_per_element());
+    if (!model.corners.empty() && model.corners.size() != corners) {
+        throw ArgumentError("corners: expected " + std::to_string(corners) + " numbers, got " +
+                            std::to_string(model.corners.size()));
+    }
+    for (std::size_t n = 0; n < model.corners.size(); ++n) {
+        if (model.corners[n] < 0) {
+            throw ArgumentError(
+                "corners: " +
+                element_name(n / static_cast<std::size_t>(model.corners_per_element())) + " has " +
+                std::to_string(model.corners[n]) + "; expected numbers from 0 on");
+        }
+    }
     for (std::size_t e = 0; e < model.size(); ++e) {
         for (int d = 0; d < model.dimension; ++d) {
             const std::int32_t count = model.divisions[e][static_cast<std::size_t>(d)];

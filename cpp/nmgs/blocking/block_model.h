@@ -23,9 +23,13 @@ struct BlockModel {
     // d: divisions + 1 ascending values from 0 to 1, or none where the spacing is uniform. May be
     // shorter than the number of elements asks for: the rest is uniform.
     std::vector<std::vector<double>> spacing;
+    // Points that the corners of element e are, from e * corners_per_element() on: corners are one
+    // where their numbers are equal, and only there. Empty: where they are at one place.
+    std::vector<std::int32_t> corners;
 
     [[nodiscard]] std::size_t size() const { return divisions.size(); }
     [[nodiscard]] int nodes_per_element() const { return dimension == 2 ? 8 : 20; }
+    [[nodiscard]] int corners_per_element() const { return dimension == 2 ? 4 : 8; }
     [[nodiscard]] std::span<const Vec3> element(std::size_t e) const {
         const auto n = static_cast<std::size_t>(nodes_per_element());
         return {nodes.data() + e * n, n};
@@ -33,8 +37,8 @@ struct BlockModel {
 };
 
 // Raises ArgumentError that names the element (1-based) and the value when the arrays' lengths
-// disagree, a division is not positive, a coordinate is not finite, or a spacing does not ascend
-// from 0 to 1.
+// disagree, a corner's number is negative, a division is not positive, a coordinate is not finite,
+// or a spacing does not ascend from 0 to 1.
 void validate(const BlockModel &model);
 
 // Natural coordinates in [-1, 1] of the lattice planes of an element along a direction.

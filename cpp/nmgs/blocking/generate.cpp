@@ -304,7 +304,8 @@ Mesh generate(const BlockModel &model, const GenerateOptions &options, const Pro
     fill_points(model, lattice, points, progress, 0.0, 0.5);
     fill_cells(model, lattice, {mesh.cells[0].nodes.data(), mesh.cells[0].nodes.size()}, progress,
                0.5, 1.0);
-    if (model.size() > 1) {
+    // Numbered corners say what is shared; being near says nothing then.
+    if (model.size() > 1 && model.corners.empty()) {
         apply(find_coincident_nodes(model, topology, lattice, points), mesh);
     }
     return mesh;

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <unordered_map>
 
 namespace nmgs {
 
@@ -39,6 +40,13 @@ const std::array<int, part::count> &node_of_part(int dimension) {
     return dimension == 2 ? patches : blocks;
 }
 
+// Corners at the ends of an edge part, low end first.
+std::array<int, 2> ends(int code) {
+    const int axis = part::axes(code).axis[0];
+    const int step = axis == 0 ? 1 : axis == 1 ? 3 : 9;
+    return {code - step, code + step};
+}
+
 struct Finder {
     const BlockModel &model;
     Topology &topology;
@@ -47,6 +55,23 @@ struct Finder {
     [[nodiscard]] Vec3 node(std::size_t block, int code) const {
         const int n = node_of_part(model.dimension)[static_cast<std::size_t>(code)];
         return model.element(block)[static_cast<std::size_t>(n)];
+    }
+    // The number of a corner part; only where the model has numbers.
+    [[nodiscard]] std::int32_t number(std::size_t block, int code) const {
+        const int n = node_of_part(model.dimension)[static_cast<std::size_t>(code)];
+        return model.corners[block * static_cast<std::size_t>(model.corners_per_element()) +
+                             static_cast<std::size_t>(n)];
+    }
+    // Whether two edge parts between the same corners are one.
+    [[nodiscard]] bool same_edge(std::size_t a, int code_a, std::size_t b, int code_b) const {
+        const Vec3 p = node(a, code_a);
+        const Vec3 q = node(b, code_b);
+        if (model.corners.empty()) {
+            return same(p, q);
+        }
+        // Only a loop of two edges has two curves between its corners.
+        const auto [low, high] = ends(code_a);
+        return norm(p - q) <= 1e-3 * (distance(node(a, low), p) + distance(p, node(a, high)));
     }
     [[nodiscard]] bool same(Vec3 a, Vec3 b) const { return norm2(a - b) <= tolerance * tolerance; }
 
@@ -103,11 +128,13 @@ struct Finder {
 
     void find_vertices(std::vector<std::int32_t> &vertex);
     void find_edges(const std::vector<std::int32_t> &vertex, std::vector<std::int32_t> &edge);
-    void find_faces(const std::vector<std::int32_t> &edge);
+    void find_faces(const std::vector<std::int32_t> &vertex, const std::vector<std::int32_t> &edge);
 };
 
 void Finder::find_vertices(std::vector<std::int32_t> &vertex) {
     PointHash hash(tolerance);
+    std::unordered_map<std::int32_t, std::int64_t> by_number;
+    const bool numbered = !model.corners.empty();
     std::vector<Owner> first;
     for (std::size_t b = 0; b < model.size(); ++b) {
         for (int code = 0; code < part::count; ++code) {
@@ -115,10 +142,20 @@ void Finder::find_vertices(std::vector<std::int32_t> &vertex) {
                 continue;
             }
             const Vec3 p = node(b, code);
-            std::int64_t found = hash.find(p);
+            std::int64_t found = -1;
+            if (numbered) {
+                const auto known = by_number.find(number(b, code));
+                found = known == by_number.end() ? -1 : known->second;
+            } else {
+                found = hash.find(p);
+            }
             if (found < 0) {
                 found = static_cast<std::int64_t>(first.size());
-                hash.insert(p, found);
+                if (numbered) {
+                    by_number[number(b, code)] = found;
+                } else {
+                    hash.insert(p, found);
+                }
                 own(b, code);
                 first.push_back(topology.of(b, code));
             } else {
@@ -128,13 +165,6 @@ void Finder::find_vertices(std::vector<std::int32_t> &vertex) {
                 static_cast<std::int32_t>(found);
         }
     }
-}
-
-// Corners at the ends of an edge part, low end first.
-std::array<int, 2> ends(int code) {
-    const int axis = part::axes(code).axis[0];
-    const int step = axis == 0 ? 1 : axis == 1 ? 3 : 9;
-    return {code - step, code + step};
 }
 
 void Finder::find_edges(const std::vector<std::int32_t> &vertex, std::vector<std::int32_t> &edge) {
@@ -165,7 +195,7 @@ void Finder::find_edges(const std::vector<std::int32_t> &vertex, std::vector<std
             auto &candidates = known[{std::min(v0, v1), std::max(v0, v1)}];
             for (const Known &candidate : candidates) {
                 const auto ob = static_cast<std::size_t>(candidate.owner.block);
-                if (!same(node(b, code), node(ob, candidate.owner.part))) {
+                if (!same_edge(b, code, ob, candidate.owner.part)) {
                     continue;
                 }
                 const int other_low = ends(candidate.owner.part)[0];
@@ -207,7 +237,14 @@ int on_face(int face, int u, int v) {
     return part::code(d[0], d[1], d[2]);
 }
 
-void Finder::find_faces(const std::vector<std::int32_t> &edge) {
+void Finder::find_faces(const std::vector<std::int32_t> &vertex,
+                        const std::vector<std::int32_t> &edge) {
+    // What a corner or mid-edge part is, the same in all blocks.
+    const auto identity = [&](std::size_t block, int code) {
+        return (part::dimension(code) == 0
+                    ? vertex
+                    : edge)[block * part::count + static_cast<std::size_t>(code)];
+    };
     constexpr std::array<std::array<int, 2>, 8> rim{
         {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {2, 1}, {0, 2}, {1, 2}, {2, 2}}};
     std::map<std::array<std::int32_t, 4>, std::vector<Owner>> known;
@@ -237,8 +274,8 @@ void Finder::find_faces(const std::vector<std::int32_t> &edge) {
                         }
                         u = (flip & 1) != 0 ? 2 - u : u;
                         v = (flip & 2) != 0 ? 2 - v : v;
-                        return same(node(b, on_face(code, at[0], at[1])),
-                                    node(ob, on_face(candidate.part, u, v)));
+                        return identity(b, on_face(code, at[0], at[1])) ==
+                               identity(ob, on_face(candidate.part, u, v));
                     });
                     if (!found) {
                         continue;
@@ -336,7 +373,7 @@ Topology find_topology(const BlockModel &model, double tolerance) {
     finder.find_vertices(vertex);
     finder.find_edges(vertex, topology.edge);
     if (model.dimension == 3) {
-        finder.find_faces(topology.edge);
+        finder.find_faces(vertex, topology.edge);
     }
     topology.uses.assign(topology.owner.size(), 0);
     for (const Owner &o : topology.owner) {

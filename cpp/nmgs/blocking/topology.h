@@ -90,7 +90,8 @@ double smallest_element_edge(const BlockModel &model);
 // 1e-4 of it.
 double default_tolerance(const BlockModel &model);
 
-// tolerance: nodes of blocks closer than this are the same; negative asks for the default.
+// Corners are one where the model gives them one number; without numbers, nodes of blocks closer
+// than the tolerance are the same; negative asks for the default.
 // The model must be valid (see validate).
 Topology find_topology(const BlockModel &model, double tolerance = -1);
 

@@ -1,373 +1,409 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/mesh/related_nodes.h"
 
+#include "nmgs/mesh/cell_edges.h"
 #include "nmgs/support/parallel.h"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <memory>
-#include <mutex>
+#include <atomic>
+#include <cstring>
+#include <limits>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace nmgs {
 namespace {
 
-// Two nodes that an edge joins, the lower in the upper half.
+// The upper neighbours of a node are those with higher numbers. They are found first, by whichever
+// cells come along, then turned round to find the lower ones: so each edge is searched for once.
+
+// An edge that had no room in its row, the lower node in the upper half.
 using Pair = std::uint64_t;
 
-Pair pair_of(std::int32_t a, std::int32_t b) {
-    return static_cast<Pair>(std::min(a, b)) << 32 | static_cast<Pair>(std::max(a, b));
+Pair pair_of(std::int32_t low, std::int32_t high) {
+    return static_cast<Pair>(low) << 32 | static_cast<Pair>(high);
 }
-std::size_t low(Pair pair) {
-    return pair >> 32;
+std::int32_t low(Pair pair) {
+    return static_cast<std::int32_t>(pair >> 32);
 }
-std::size_t high(Pair pair) {
-    return pair & 0xffffffffU;
+std::int32_t high(Pair pair) {
+    return static_cast<std::int32_t>(pair & 0xffffffffU);
 }
 
-// The pairs of local nodes that the edges of a type join.
-struct LocalPairs {
-    std::size_t count = 0;
-    std::array<std::array<std::uint8_t, 2>, 24> nodes{};
+// Cells that are looked at together; they fit a first-level cache.
+struct Piece {
+    CellType type;
+    std::span<const std::int32_t> nodes;
+    // Lower nodes of the edges are in [first, last].
+    std::int32_t first = 0;
+    std::int32_t last = std::numeric_limits<std::int32_t>::max();
+
+    [[nodiscard]] bool reaches(std::int32_t begin, std::int32_t end) const {
+        return first < end && last >= begin;
+    }
 };
 
-constexpr LocalPairs local_pairs(CellType type) {
-    LocalPairs pairs;
-    for (const LocalEdge &edge : edges(type)) {
-        const auto a = static_cast<std::uint8_t>(edge.a);
-        const auto b = static_cast<std::uint8_t>(edge.b);
-        const auto mid = static_cast<std::uint8_t>(edge.mid);
-        if (is_quadratic(type)) {
-            pairs.nodes[pairs.count++] = {a, mid};
-            pairs.nodes[pairs.count++] = {mid, b};
-        } else {
-            pairs.nodes[pairs.count++] = {a, b};
-        }
-    }
-    return pairs;
-}
-
-// Remembers pairs that came lately. Neighbouring cells share most of their edges and stand close to
-// each other in any sensible order, so what passes holds few pairs twice.
-class Filter {
-public:
-    Filter() : seen_(std::size_t{1} << bits, 0) {} // no edge is (0, 0)
-    // Writes the pair to `out`; returns 1 when it is to stay there.
-    std::size_t pass(Pair pair, Pair *out) {
-        Pair &last = seen_[(pair * 0x9E3779B97F4A7C15U) >> (64 - bits)];
-        *out = pair;
-        const std::size_t fresh = last != pair ? 1 : 0;
-        last = pair;
-        return fresh;
-    }
-
-private:
-    static constexpr int bits = 14; // 128 KiB: fits a second-level cache
-    std::vector<Pair> seen_;
-};
-
-// Appends the pairs of `count` cells; `out` has room for all of them. Returns the end.
-template <CellType type>
-Pair *find_pairs(const std::int32_t *cell, std::size_t count, Filter &filter, Pair *out) {
-    static constexpr LocalPairs local = local_pairs(type);
-    const int k = node_count(type);
-    for (; count > 0; --count, cell += k) {
-#pragma GCC unroll 12
-        for (std::size_t e = 0; e < local.count; ++e) {
-            out += filter.pass(pair_of(cell[local.nodes[e][0]], cell[local.nodes[e][1]]), out);
-        }
-    }
-    return out;
-}
-
-// The corners of the hexahedron whose twelve tetrahedra, as split_hexahedra lists them, start at t.
-std::array<std::int32_t, 8> corners_of_split(const std::int32_t *t) {
-    return {t[0], t[1], t[4], t[5], t[8], t[13], t[12], t[9]};
-}
-
-bool is_split_hexahedron(const std::int32_t *t) {
-    constexpr int faces[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
-                                 {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
-    const auto h = corners_of_split(t);
-    const std::int32_t centre = t[3];
-    bool same = true;
-    for (const auto &f : faces) {
-        const std::int32_t a = h[static_cast<std::size_t>(f[0])];
-        const std::int32_t b = h[static_cast<std::size_t>(f[1])];
-        const std::int32_t c = h[static_cast<std::size_t>(f[2])];
-        const std::int32_t d = h[static_cast<std::size_t>(f[3])];
-        same &= (t[0] == a) & (t[1] == b) & (t[4] == c) & (t[5] == d);
-        same &= ((t[2] == d) & (t[6] == b)) | ((t[2] == c) & (t[6] == a));
-        same &= (t[3] == centre) & (t[7] == centre);
-        t += 8;
-    }
-    return same;
-}
-
-// A split hexahedron's tetrahedra name its 26 edges 72 times; here each once.
-Pair *pairs_of_split(const std::int32_t *t, Filter &filter, Pair *out) {
-    const auto h = corners_of_split(t);
-    static constexpr LocalPairs local = local_pairs(CellType::hexahedron);
-#pragma GCC unroll 12
-    for (std::size_t e = 0; e < local.count; ++e) {
-        out += filter.pass(pair_of(h[local.nodes[e][0]], h[local.nodes[e][1]]), out);
-    }
-#pragma GCC unroll 6
-    for (int f = 0; f < 6; ++f) {
-        const std::int32_t *face = t + 8 * f;
-        out += filter.pass(pair_of(face[2], face[6]), out); // the diagonal
-    }
-#pragma GCC unroll 8
-    for (const std::int32_t corner : h) {
-        *out++ = pair_of(corner, t[3]);
-    }
-    return out;
-}
-
-template <>
-Pair *find_pairs<CellType::tetra>(const std::int32_t *cell, std::size_t count, Filter &filter,
-                                  Pair *out) {
-    static constexpr LocalPairs local = local_pairs(CellType::tetra);
-    while (count > 0) {
-        if (count >= 12 && is_split_hexahedron(cell)) {
-            out = pairs_of_split(cell, filter, out);
-            cell += 48;
-            count -= 12;
-            continue;
-        }
-#pragma GCC unroll 6
-        for (std::size_t e = 0; e < local.count; ++e) {
-            out += filter.pass(pair_of(cell[local.nodes[e][0]], cell[local.nodes[e][1]]), out);
-        }
-        cell += 4;
-        --count;
-    }
-    return out;
-}
-
-Pair *find_pairs(CellType type, const std::int32_t *cell, std::size_t count, Filter &filter,
-                 Pair *out) {
-    switch (type) {
-    case CellType::line:
-        return find_pairs<CellType::line>(cell, count, filter, out);
-    case CellType::line3:
-        return find_pairs<CellType::line3>(cell, count, filter, out);
-    case CellType::triangle:
-        return find_pairs<CellType::triangle>(cell, count, filter, out);
-    case CellType::triangle6:
-        return find_pairs<CellType::triangle6>(cell, count, filter, out);
-    case CellType::quad:
-        return find_pairs<CellType::quad>(cell, count, filter, out);
-    case CellType::quad8:
-        return find_pairs<CellType::quad8>(cell, count, filter, out);
-    case CellType::tetra:
-        return find_pairs<CellType::tetra>(cell, count, filter, out);
-    case CellType::tetra10:
-        return find_pairs<CellType::tetra10>(cell, count, filter, out);
-    case CellType::pyramid:
-        return find_pairs<CellType::pyramid>(cell, count, filter, out);
-    case CellType::pyramid13:
-        return find_pairs<CellType::pyramid13>(cell, count, filter, out);
-    case CellType::wedge:
-        return find_pairs<CellType::wedge>(cell, count, filter, out);
-    case CellType::wedge15:
-        return find_pairs<CellType::wedge15>(cell, count, filter, out);
-    case CellType::hexahedron:
-        return find_pairs<CellType::hexahedron>(cell, count, filter, out);
-    default:
-        return find_pairs<CellType::hexahedron20>(cell, count, filter, out);
-    }
-}
-
-// Pairs found by one thread, in large pieces that never move.
-struct PairStore {
-    static constexpr std::size_t piece = 1 << 20;
-    struct Piece {
-        Array<Pair> pairs;
-        std::size_t used = 0;
-    };
-    Filter filter;
+std::vector<Piece> pieces_of(std::span<const CellView> cells) {
+    constexpr std::size_t size = 12 << 7;
     std::vector<Piece> pieces;
-
-    Piece &room_for(std::size_t count) {
-        if (pieces.empty() || pieces.back().pairs.size() - pieces.back().used < count) {
-            pieces.push_back({Array<Pair>(std::max(piece, count))});
-        }
-        return pieces.back();
-    }
-};
-
-// One store a thread at work, handed out and taken back.
-class PairStores {
-public:
-    std::unique_ptr<PairStore> take() {
-        const std::lock_guard lock(mutex_);
-        if (stores_.empty()) {
-            return std::make_unique<PairStore>();
-        }
-        auto store = std::move(stores_.back());
-        stores_.pop_back();
-        return store;
-    }
-    void give(std::unique_ptr<PairStore> store) {
-        const std::lock_guard lock(mutex_);
-        stores_.push_back(std::move(store));
-    }
-    std::vector<PairStore::Piece> pieces() && {
-        std::vector<PairStore::Piece> all;
-        for (auto &store : stores_) {
-            std::move(store->pieces.begin(), store->pieces.end(), std::back_inserter(all));
-        }
-        return all;
-    }
-
-private:
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<PairStore>> stores_;
-};
-
-// All pairs, some of them repeatedly, in an order that depends on the threads; what is made of them
-// does not.
-std::vector<PairStore::Piece> all_pairs(std::size_t points, std::span<const CellView> cells,
-                                        const Progress &progress) {
-    PairStores stores;
     for (const CellView &view : cells) {
         const auto k = static_cast<std::size_t>(node_count(view.type));
-        const std::size_t pairs_of_cell = local_pairs(view.type).count;
-        parallel_for(
-            view.size(), 12 << 12,
-            [&](std::size_t first, std::size_t last) {
-                auto store = stores.take();
-                // Checked piece by piece, while the piece is in the cache.
-                constexpr std::size_t piece = 12 << 8;
-                for (std::size_t c = first; c < last; c += piece) {
-                    const std::size_t some = std::min(last - c, piece);
-                    const auto nodes = view.nodes.subspan(c * k, some * k);
-                    bool wrong = false;
-                    for (const std::int32_t node : nodes) {
-                        wrong |= static_cast<std::uint32_t>(node) >= points;
-                    }
-                    if (wrong) {
-                        check_nodes(cells, points); // says which
-                    }
-                    auto &room = store->room_for(some * pairs_of_cell);
-                    Pair *const begin = room.pairs.data() + room.used;
-                    Pair *const end =
-                        find_pairs(view.type, nodes.data(), some, store->filter, begin);
-                    room.used += static_cast<std::size_t>(end - begin);
-                }
-                stores.give(std::move(store));
-            },
-            progress, 0.0, 0.4);
+        for (std::size_t c = 0; c < view.size(); c += size) {
+            const std::size_t some = std::min(view.size() - c, size);
+            pieces.push_back({view.type, view.nodes.subspan(c * k, some * k)});
+        }
     }
-    return std::move(stores).pieces();
+    return pieces;
 }
 
-// Called for each node of the loops below.
-void poll_now_and_then(std::size_t node, const Progress &progress, double fraction) {
-    if (node % (1 << 16) == 0) {
-        poll(progress, fraction);
+bool has_wrong_node(const Piece &piece, std::size_t points) {
+    bool wrong = false;
+    for (const std::int32_t node : piece.nodes) {
+        wrong |= static_cast<std::uint32_t>(node) >= points;
+    }
+    return wrong;
+}
+
+// The lower node of an edge is at most the second highest node of its cell.
+void find_range(Piece &piece) {
+    const auto k = static_cast<std::size_t>(node_count(piece.type));
+    piece.first = std::numeric_limits<std::int32_t>::max();
+    piece.last = -1;
+    for (std::size_t c = 0; c < piece.nodes.size(); c += k) {
+        std::int32_t highest = -1;
+        std::int32_t second = -1;
+        for (const std::int32_t node : piece.nodes.subspan(c, k)) {
+            piece.first = std::min(piece.first, node);
+            second = std::max(second, std::min(highest, node));
+            highest = std::max(highest, node);
+        }
+        piece.last = std::max(piece.last, second);
     }
 }
 
-// Nodes of the pairs, by their lower node: those of n from start[n] on; start has points + 1.
-struct Rows {
-    Array<std::int64_t> start;
-    Array<std::int32_t> nodes;
+// Polls while threads work on long parts.
+class Pulse {
+public:
+    Pulse(const Progress &progress, double from, double to)
+        : progress_(progress), from_(from), to_(to) {}
+    // Whether to go on. Raises what the listener raises, or Cancelled, in the listener's thread.
+    bool operator()(std::size_t done, std::size_t total) {
+        if (std::this_thread::get_id() == owner_) {
+            const double share = static_cast<double>(done) / static_cast<double>(total);
+            try {
+                poll(progress_, from_ + (to_ - from_) * share);
+            } catch (...) {
+                stopped_ = true;
+                throw;
+            }
+        }
+        return !stopped_;
+    }
+
+private:
+    const Progress &progress_;
+    double from_, to_;
+    std::thread::id owner_ = std::this_thread::get_id();
+    std::atomic<bool> stopped_{false};
 };
 
-void accumulate(Array<std::int64_t> &counts) {
-    for (std::size_t n = 1; n < counts.size(); ++n) {
-        counts[n] += counts[n - 1];
+// Where each of the threads' parts begins, and the end: nodes are shared out so that about as many
+// pieces begin in each.
+std::vector<std::int32_t> parts_of(std::vector<Piece> &pieces, std::size_t points,
+                                   std::span<const CellView> cells, const Progress &progress) {
+    constexpr int most = 16; // beyond, reading the cells takes longer than what is gained
+    const auto count = static_cast<std::size_t>(std::min(threads(), most));
+    const auto end = static_cast<std::int32_t>(points);
+    if (count == 1) {
+        return {0, end}; // the nodes are checked on the way
     }
+    parallel_for(
+        pieces.size(), 16,
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                if (has_wrong_node(pieces[i], points)) {
+                    check_nodes(cells, points); // says which
+                }
+                find_range(pieces[i]);
+            }
+        },
+        progress, 0.0, 0.1);
+    std::vector<std::int32_t> begins;
+    begins.reserve(pieces.size());
+    for (const Piece &piece : pieces) {
+        begins.push_back(piece.first);
+    }
+    std::sort(begins.begin(), begins.end());
+    std::vector<std::int32_t> parts{0};
+    for (std::size_t p = 1; p < count && !begins.empty(); ++p) {
+        parts.push_back(std::max(parts.back(), begins[begins.size() * p / count]));
+    }
+    parts.push_back(end);
+    return parts;
 }
 
-Rows by_lower_node(std::size_t points, std::vector<PairStore::Piece> &&pieces,
-                   const Progress &progress) {
-    // Counts go one place further than usual: filling then leaves every start in its own place.
-    Rows rows{Array<std::int64_t>(points + 2), {}};
-    std::fill(rows.start.begin(), rows.start.end(), 0);
-    for (const auto &piece : pieces) {
-        for (const Pair pair : std::span(piece.pairs.data(), piece.used)) {
-            ++rows.start[low(pair) + 2];
-        }
-        poll(progress, 0.45);
+// The upper neighbours of each node: `width` of them in its row, the others in `more`.
+template <std::size_t width>
+struct UpperRows {
+    Array<std::int32_t> nodes;
+    Array<std::uint16_t> count; // in the row
+    std::vector<Pair> more;     // ascending, each once
+
+    explicit UpperRows(std::size_t points) : nodes(points * width), count(points) {
+        std::fill(count.begin(), count.end(), std::uint16_t{0});
     }
-    accumulate(rows.start);
-    rows.nodes = Array<std::int32_t>(static_cast<std::size_t>(rows.start[points + 1]));
-    for (auto &piece : pieces) {
-        for (const Pair pair : std::span(piece.pairs.data(), piece.used)) {
-            rows.nodes[static_cast<std::size_t>(rows.start[low(pair) + 1]++)] =
-                static_cast<std::int32_t>(high(pair));
+    [[nodiscard]] std::int32_t *row(std::size_t n) { return nodes.data() + n * width; }
+    [[nodiscard]] const std::int32_t *row(std::size_t n) const { return nodes.data() + n * width; }
+
+    // Calls each(n, m) for all upper neighbours m of all nodes n, n ascending.
+    template <class Each>
+    void for_pairs(Pulse &pulse, const Each &each) const {
+        auto next = more.begin();
+        for (std::size_t n = 0; n < count.size(); ++n) {
+            if (n % (1 << 16) == 0 && !pulse(n, count.size())) {
+                return;
+            }
+            const std::int32_t *const neighbours = row(n);
+            for (std::size_t i = 0; i < count[n]; ++i) {
+                each(n, static_cast<std::size_t>(neighbours[i]));
+            }
+            for (; next != more.end() && low(*next) == static_cast<std::int32_t>(n); ++next) {
+                each(n, static_cast<std::size_t>(high(*next)));
+            }
         }
-        piece = {};
-        poll(progress, 0.55);
+    }
+};
+
+// Whether the node is in the row. Four at a time: compilers leave the plain loop as it is.
+template <std::size_t width>
+bool has(const std::int32_t *row, std::int32_t node) {
+    using Four [[gnu::vector_size(16)]] = std::int32_t;
+    Four equal{};
+    for (std::size_t i = 0; i < width; i += 4) {
+        Four some;
+        std::memcpy(&some, row + i, sizeof some);
+        equal |= some == node;
+    }
+    std::array<std::uint64_t, 2> halves;
+    std::memcpy(halves.data(), &equal, sizeof equal);
+    return (halves[0] | halves[1]) != 0;
+}
+
+// Takes edges and puts those whose lower node is in [begin, end) into their rows, each once.
+template <std::size_t width>
+class Inserter {
+public:
+    Inserter(UpperRows<width> &rows, std::int32_t begin, std::int32_t end)
+        : rows_(rows.nodes.data()), count_(rows.count.data()), begin_(begin),
+          size_(static_cast<std::uint32_t>(end - begin)) {}
+
+    void operator()(std::int32_t a, std::int32_t b) {
+        const std::int32_t lower = std::min(a, b);
+        if (is_here(lower)) {
+            insert(lower, std::max(a, b));
+        }
+    }
+    // The edges between the corners of split hexahedra, all seen already, and the nodes inside.
+    template <std::size_t batch>
+    void stars(const std::array<std::array<std::int32_t, batch>, 8> &corners,
+               std::span<const std::int32_t> inside) {
+        std::int32_t highest = highest_;
+        bool fresh = true; // no node inside is in an edge so far
+        for (const std::int32_t node : inside) {
+            fresh = fresh && node > highest;
+            highest = std::max(highest, node);
+        }
+        for (const auto &same : corners) {
+            for (std::size_t i = 0; i < inside.size(); ++i) {
+                if (!fresh) {
+                    (*this)(same[i], inside[i]);
+                } else if (is_here(same[i])) {
+                    append(same[i], inside[i]);
+                }
+            }
+        }
+        highest_ = std::max(highest_, highest);
+    }
+    // What had no room; not sorted, some of it repeatedly.
+    std::vector<Pair> crowded;
+
+private:
+    [[nodiscard]] bool is_here(std::int32_t lower) const {
+        return static_cast<std::uint32_t>(lower - begin_) < size_;
+    }
+    std::int32_t *row(std::int32_t n) {
+        std::int32_t *const neighbours = rows_ + static_cast<std::size_t>(n) * width;
+        if (count_[n] == 0) {
+            std::fill_n(neighbours, width, -1);
+        }
+        return neighbours;
+    }
+    void append(std::int32_t lower, std::int32_t upper) {
+        std::int32_t *const neighbours = row(lower);
+        std::uint16_t &used = count_[lower];
+        if (used < width) {
+            neighbours[used] = upper;
+            ++used;
+        } else {
+            crowded.push_back(pair_of(lower, upper));
+        }
+    }
+    void insert(std::int32_t lower, std::int32_t upper) {
+        std::int32_t *const neighbours = row(lower);
+        // An edge without length joins nothing.
+        const bool known = has<width>(neighbours, upper) || lower == upper;
+        highest_ = std::max(highest_, upper);
+        std::uint16_t &used = count_[lower];
+        if (used < width) {
+            neighbours[used] = known ? -1 : upper;
+            used = static_cast<std::uint16_t>(used + (known ? 0 : 1));
+        } else if (!known) {
+            crowded.push_back(pair_of(lower, upper));
+        }
+    }
+
+    std::int32_t *rows_;
+    std::uint16_t *count_;
+    std::int32_t begin_;
+    std::uint32_t size_;
+    std::int32_t highest_ = -1; // of the edges seen
+};
+
+template <std::size_t width>
+UpperRows<width> find_upper(std::size_t points, std::span<const CellView> cells,
+                            const Progress &progress) {
+    std::vector<Piece> pieces = pieces_of(cells);
+    const auto parts = parts_of(pieces, points, cells, progress);
+    const bool checked = parts.size() > 2;
+    UpperRows<width> rows(points);
+    std::vector<std::vector<Pair>> crowded(parts.size() - 1);
+    Pulse pulse(progress, 0.1, 0.5);
+    parallel_for(crowded.size(), 1, [&](std::size_t part, std::size_t) {
+        const std::int32_t begin = parts[part];
+        const std::int32_t end = parts[part + 1];
+        Inserter<width> inserter(rows, begin, end);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (i % 64 == 0 && !pulse(i, pieces.size())) {
+                return;
+            }
+            const Piece &piece = pieces[i];
+            if (!checked && has_wrong_node(piece, points)) {
+                check_nodes(cells, points);
+            }
+            if (!piece.reaches(begin, end)) {
+                continue;
+            }
+            const auto cells_of_piece =
+                piece.nodes.size() / static_cast<std::size_t>(node_count(piece.type));
+            for_edges(piece.type, piece.nodes.data(), cells_of_piece, inserter);
+        }
+        std::vector<Pair> &more = crowded[part];
+        more = std::move(inserter.crowded);
+        std::sort(more.begin(), more.end());
+        more.erase(std::unique(more.begin(), more.end()), more.end());
+    });
+    for (const auto &more : crowded) {
+        rows.more.insert(rows.more.end(), more.begin(), more.end());
     }
     return rows;
 }
 
-// Moves the different nodes of each row to its front; returns how many they are, and adds what each
-// node will have in the end to counts[node + 1].
-Array<std::int32_t> keep_different(std::size_t points, Rows &rows, Array<std::int64_t> &counts,
-                                   const Progress &progress) {
-    Array<std::int32_t> kept(points);
-    Array<std::int32_t> mark(points);
-    std::fill(mark.begin(), mark.end(), -1);
-    for (std::size_t n = 0; n < points; ++n) {
-        poll_now_and_then(n, progress, 0.6);
-        std::int32_t *const begin = rows.nodes.data() + rows.start[n];
-        std::int32_t *const end = rows.nodes.data() + rows.start[n + 1];
-        std::int32_t *out = begin;
-        for (const std::int32_t *node = begin; node != end; ++node) {
-            const auto other = static_cast<std::size_t>(*node);
-            const int fresh = mark[other] != static_cast<std::int32_t>(n) ? 1 : 0;
-            mark[other] = static_cast<std::int32_t>(n);
-            counts[other + 1] += fresh;
-            *out = *node;
-            out += fresh;
-        }
-        kept[n] = static_cast<std::int32_t>(out - begin);
-        counts[n + 1] += kept[n];
+// Few in number, and mostly in order.
+void sort_row(std::int32_t *begin, const std::int32_t *end) {
+    if (end - begin > 64) {
+        std::sort(begin, begin + (end - begin));
+        return;
     }
-    return kept;
+    for (std::int32_t *i = begin + 1; i < end; ++i) {
+        const std::int32_t node = *i;
+        std::int32_t *to = i;
+        for (; to > begin && to[-1] > node; --to) {
+            *to = to[-1];
+        }
+        *to = node;
+    }
+}
+
+// Nodes [begin, end) of equal shares of all, one a thread.
+template <class Body>
+void for_shares(std::size_t points, const Body &body) {
+    constexpr std::size_t most = 16;
+    const std::size_t count = std::min({static_cast<std::size_t>(threads()), most, points + 1});
+    parallel_for(count, 1, [&](std::size_t share, std::size_t) {
+        body(points * share / count, points * (share + 1) / count);
+    });
+}
+
+template <std::size_t width>
+RelatedNodes related(std::size_t points, std::span<const CellView> cells,
+                     const Progress &progress) {
+    const UpperRows<width> upper = find_upper<width>(points, cells, progress);
+    RelatedNodes result{Array<std::int64_t>(points + 1), {}};
+    // Behind the loops, ends[n] is first how many neighbours n has, then where they begin, then
+    // where they end.
+    result.offsets[0] = 0;
+    std::int64_t *const ends = result.offsets.data() + 1;
+    Pulse counting(progress, 0.5, 0.6);
+    for_shares(points, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n) {
+            ends[n] = upper.count[n];
+        }
+        upper.for_pairs(counting, [&](std::size_t, std::size_t m) {
+            if (m >= begin && m < end) {
+                ++ends[m];
+            }
+        });
+    });
+    for (const Pair pair : upper.more) {
+        ++ends[low(pair)];
+    }
+    std::int64_t total = 0;
+    for (std::size_t n = 0; n < points; ++n) {
+        total += std::exchange(ends[n], total);
+    }
+    result.neighbours = Array<std::int32_t>(static_cast<std::size_t>(total));
+    std::int32_t *const out = result.neighbours.data();
+    Pulse turning(progress, 0.6, 0.8);
+    for_shares(points, [&](std::size_t begin, std::size_t end) {
+        upper.for_pairs(turning, [&](std::size_t n, std::size_t m) {
+            if (m >= begin && m < end) {
+                out[ends[m]++] = static_cast<std::int32_t>(n);
+            }
+        });
+    });
+    parallel_for(
+        points, 1 << 15,
+        [&](std::size_t begin, std::size_t end) {
+            auto more = std::lower_bound(upper.more.begin(), upper.more.end(),
+                                         pair_of(static_cast<std::int32_t>(begin), 0));
+            for (std::size_t n = begin; n < end; ++n) {
+                std::int32_t *const first = out + ends[n];
+                std::int32_t *last = std::copy_n(upper.row(n), upper.count[n], first);
+                for (; more != upper.more.end() && low(*more) == static_cast<std::int32_t>(n);
+                     ++more) {
+                    *last++ = high(*more);
+                }
+                sort_row(first, last);
+                ends[n] += last - first;
+            }
+        },
+        progress, 0.8, 1.0);
+    return result;
 }
 
 } // namespace
 
 RelatedNodes related_nodes(std::size_t points, std::span<const CellView> cells,
                            const Progress &progress) {
-    Rows rows = by_lower_node(points, all_pairs(points, cells, progress), progress);
-    RelatedNodes result{Array<std::int64_t>(points + 1), {}};
-    std::fill(result.offsets.begin(), result.offsets.end(), 0);
-    const Array<std::int32_t> kept = keep_different(points, rows, result.offsets, progress);
-    accumulate(result.offsets);
-    poll(progress, 0.7);
-
-    // Taking the nodes in ascending order sorts the rows without comparing: first the lower related
-    // nodes of each, then, from what that wrote, the higher ones behind them.
-    result.neighbours = Array<std::int32_t>(static_cast<std::size_t>(result.offsets[points]));
-    std::int32_t *const out = result.neighbours.data();
-    Array<std::int64_t> next(points);
-    std::copy_n(result.offsets.begin(), points, next.begin());
-    for (std::size_t n = 0; n < points; ++n) {
-        poll_now_and_then(n, progress, 0.75);
-        const std::int32_t *node = rows.nodes.data() + rows.start[n];
-        for (std::int32_t i = 0; i < kept[n]; ++i) {
-            out[next[static_cast<std::size_t>(node[i])]++] = static_cast<std::int32_t>(n);
-        }
-    }
-    poll(progress, 0.85);
-    for (std::size_t n = 0; n < points; ++n) {
-        poll_now_and_then(n, progress, 0.9);
-        const std::int32_t *node = out + result.offsets[n];
-        const std::int32_t *const end = out + result.offsets[n + 1] - kept[n];
-        for (; node != end; ++node) {
-            out[next[static_cast<std::size_t>(*node)]++] = static_cast<std::int32_t>(n);
-        }
-    }
-    poll(progress, 1.0);
-    return result;
+    poll(progress, 0.0);
+    // Of the upper neighbours, tetrahedra have seven a node, split hexahedra fourteen a corner,
+    // others three or four.
+    const bool many = std::any_of(cells.begin(), cells.end(), [](const CellView &view) {
+        return view.type == CellType::tetra;
+    });
+    return many ? related<16>(points, cells, progress) : related<8>(points, cells, progress);
 }
 
 } // namespace nmgs

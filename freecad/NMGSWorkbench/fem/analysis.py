@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any, Dict, Optional, Sequence
 
 from ..nmgs.errors import Error
+from .picked import sets_by_groups
 
 #: FreeCAD's own steel, S235, as its material card has it.
 STEEL = {
@@ -96,6 +97,7 @@ def solve(analysis: Any, folder: Optional[str] = None) -> Any:
     solvers = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemSolverObjectPython")]
     if len(solvers) != 1:
         raise SolverError(f"{analysis.Label} has {len(solvers)} solvers; one is needed")
+    _refuse_pyramids(analysis)
     tools = ccxtools.FemToolsCcx(analysis, solvers[0])
     tools.purge_results()
     tools.update_objects()
@@ -104,7 +106,8 @@ def solve(analysis: Any, folder: Optional[str] = None) -> Any:
     problems = tools.check_prerequisites()
     if problems:
         raise SolverError(problems.strip())
-    tools.write_inp_file()
+    with sets_by_groups():
+        tools.write_inp_file()
     if not tools.inp_file_name:
         raise SolverError("FEM could not write CalculiX's input file; see the report view")
     require_loads(tools.inp_file_name)
@@ -116,6 +119,16 @@ def solve(analysis: Any, folder: Optional[str] = None) -> Any:
     if not results:
         raise SolverError("CalculiX gave no results")
     return results[0]
+
+
+def _refuse_pyramids(analysis: Any) -> None:
+    # FEM's writer leaves them out without a word, and the result would have holes.
+    for obj in analysis.Group:
+        if obj.isDerivedFrom("Fem::FemMeshObject") and obj.FemMesh.PyramidCount:
+            raise SolverError(
+                f"{obj.Label} has {obj.FemMesh.PyramidCount} pyramids, which FEM does not hand to "
+                "CalculiX; nmgs.write(path, mesh) as .inp writes them as collapsed hexahedra"
+            )
 
 
 def require_loads(path: str) -> None:

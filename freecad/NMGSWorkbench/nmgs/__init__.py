@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The console API of the NMGS Workbench. Needs NumPy and the compiled kernel, no FreeCAD."""
 
-from . import grading, shapes
+from . import grading, shapes, sizing
 from .block_model import BlockModel
 from .cad import fit
 from .errors import (
@@ -18,6 +18,7 @@ from .io import read, write
 from .mesh import Mesh
 from .plc import PLC
 from .plc_problem import PLCProblem
+from .refit import refit
 from .tetgen import TetOptions, tetrahedralize
 
 __all__ = [
@@ -36,8 +37,10 @@ __all__ = [
     "fit",
     "grading",
     "read",
+    "refit",
     "to_fem",
     "tetrahedralize",
     "shapes",
+    "sizing",
     "write",
 ]

@@ -40,12 +40,21 @@ class CadLink:
     and the high end along xi, eta, zeta (c = 0 for patches). entities: int32 (K, 2), dimension
     (0 vertex, 1 edge, 2 face, 3 solid) and FreeCAD's 1-based number; those of part p of block e are
     entities[offsets[27 e + p] : offsets[27 e + p + 1]].
+    corners: int32 (NE, 8 | 4), points that the blocks' corners are: corners with one number are
+    one, others never, however near. None: by place.
     """
 
-    def __init__(self, shape: Any, offsets: np.ndarray, entities: np.ndarray):
+    def __init__(
+        self,
+        shape: Any,
+        offsets: np.ndarray,
+        entities: np.ndarray,
+        corners: Optional[np.ndarray] = None,
+    ):
         self.shape = shape
         self.offsets = offsets
         self.entities = entities
+        self.corners = corners
 
     def of(self, block: int, part: int) -> np.ndarray:
         """Entities of a part of a block (0-based)."""
@@ -115,6 +124,11 @@ class BlockModel:
             raise ValueError("reference: expected one line of text")
         return reference
 
+    def _corners(self) -> Optional[np.ndarray]:
+        """Numbers of the corners' points, where the CAD gave any for these very elements."""
+        corners = None if self.cad is None else self.cad.corners
+        return corners if corners is not None and len(corners) == len(self) else None
+
     @property
     def spacing(self) -> List[Optional[np.ndarray]]:
         """Positions from 0 to 1 of the lattice planes, of all elements' directions one after the
@@ -137,7 +151,9 @@ class BlockModel:
     def chains(self, tolerance: Optional[float] = None) -> np.ndarray:
         """int32 (NE, 2 | 3): directions with one number are one chain of opposite and shared edges;
         they must have one count and one spacing."""
-        raw = _kernel.core().chains(self.nodes, self.divisions, self._checked_tolerance(tolerance))
+        raw = _kernel.core().chains(
+            self.nodes, self.divisions, self._checked_tolerance(tolerance), self._corners()
+        )
         return raw["chain"]
 
     def chain_senses(self, tolerance: Optional[float] = None) -> Dict[str, np.ndarray]:
@@ -172,7 +188,11 @@ class BlockModel:
                     )
                 wishes.append((element, direction, int(count), name == "hard"))
         self.divisions = _kernel.core().solve_divisions(
-            self.nodes, self.divisions, wishes, 0.0 if size is None else float(size)
+            self.nodes,
+            self.divisions,
+            wishes,
+            0.0 if size is None else float(size),
+            corners=self._corners(),
         )
 
     def with_divisions(
@@ -197,7 +217,7 @@ class BlockModel:
         grading is not symmetric, ValueError.
         """
         element, direction = self._checked_direction((element, direction))
-        raw = _kernel.core().chains(self.nodes, self.divisions)
+        raw = _kernel.core().chains(self.nodes, self.divisions, corners=self._corners())
         if grading.needs_length:
             length = float(raw["length"][element, direction])
             grading = dataclasses.replace(grading, length=length)
@@ -252,7 +272,11 @@ class BlockModel:
         of the smallest element edge. Raises ValueError.
         """
         raw = _kernel.core().check(
-            self.nodes, self.divisions, self.spacing, self._checked_tolerance(tolerance)
+            self.nodes,
+            self.divisions,
+            self.spacing,
+            self._checked_tolerance(tolerance),
+            self._corners(),
         )
         return [
             Problem(kind, tuple(f"Block{b + 1}" for b in (first, second) if b >= 0), place, text)
@@ -298,6 +322,7 @@ class BlockModel:
             tolerance=accepted,
             force=bool(force),
             progress=progress,
+            corners=self._corners(),
         )
         mesh = Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
         return mesh if order == 1 else mesh.to_order(2)

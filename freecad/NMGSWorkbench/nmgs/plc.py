@@ -146,6 +146,9 @@ class PLC:
         self.region_groups: Dict[str, List[float]] = {
             k: list(v) for k, v in (region_groups or {}).items()
         }
+        #: Whether the facets are the triangles of an STL file, each with points of its own, which
+        #: TetGen treats in a way of its own.
+        self.stl = False
         #: What mend() did, in words.
         self.notes: List[str] = []
 

@@ -88,7 +88,7 @@ class MeshObject(DocumentObject):
             lambda progress: (
                 worst_scaled_jacobian(mesh),
                 hash_of(mesh),
-                fem_mesh(mesh if not late else _NOTHING),
+                fem_mesh(mesh if not late else _NOTHING, progress),
             ),
             "Handing the mesh over",
         )

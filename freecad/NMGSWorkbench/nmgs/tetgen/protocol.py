@@ -39,6 +39,7 @@ REQUEST: Dict[str, Tuple[int, np.dtype]] = {
     "edge_markers": (119, SCALARS[1]),
     "holes": (120, SCALARS[3]),
     "regions": (121, SCALARS[3]),
+    "stl": (122, SCALARS[1]),
     "tetra": (130, SCALARS[1]),
     "tetra_attributes": (131, SCALARS[3]),
     "tetra_volumes": (132, SCALARS[3]),

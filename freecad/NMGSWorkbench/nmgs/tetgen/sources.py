@@ -156,6 +156,7 @@ def _request_of_plc(plc: PLC) -> Dict[str, np.ndarray]:
         arrays["polygon_nodes"] = plc.polygon_nodes
         arrays["polygon_offsets"] = plc.polygon_offsets
         arrays["facet_offsets"] = plc.facet_offsets
+        arrays["stl"] = np.array([plc.stl], np.int32)
     if len(plc.facet_holes):
         arrays["facet_holes"] = plc.facet_holes
         arrays["facet_hole_offsets"] = plc.facet_hole_offsets

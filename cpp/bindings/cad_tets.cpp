@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "cad_tets.h"
+
+#include "arrays.h"
+#include "cad_fit.h"
+
+#include "nmgs_cad/layout.h"
+#include "nmgs_cad/refine.h"
+#include "nmgs_cad/skin.h"
+#include "nmgs_cad/tets_to_hexas.h"
+
+#include <TopExp_Explorer.hxx>
+#include <pybind11/stl.h>
+
+#include <cstring>
+#include <map>
+#include <memory>
+
+namespace nmgs::bindings {
+namespace {
+
+template <class Scalar, class T>
+py::array_t<Scalar> table(const std::vector<T> &rows) {
+    constexpr auto columns = static_cast<py::ssize_t>(sizeof(T) / sizeof(Scalar));
+    py::array_t<Scalar> array({static_cast<py::ssize_t>(rows.size()), columns});
+    if (!rows.empty()) {
+        std::memcpy(array.mutable_data(), rows.data(), rows.size() * sizeof(T));
+    }
+    return array;
+}
+
+// limits: (N, 5) x, y, z, radius, size.
+std::shared_ptr<cad::Skin> make_skin(const cad::CadShape &shape, const std::vector<int> &faces,
+                                     double size, double angle, const DoubleArray &limits,
+                                     const py::object &progress) {
+    cad::SkinOptions options;
+    options.size = size;
+    options.angle = angle;
+    if (limits.size() % 5 != 0) {
+        throw py::value_error("limits: expected shape (N, 5), got " + shape_text(limits));
+    }
+    for (py::ssize_t i = 0; i < limits.size(); i += 5) {
+        const double *row = limits.data() + i;
+        options.limits.push_back({{row[0], row[1], row[2]}, row[3], row[4]});
+    }
+    const Progress listener = progress_of(progress);
+    const py::gil_scoped_release release;
+    return std::make_shared<cad::Skin>(cad::make_skin(shape, faces, options, listener));
+}
+
+// solids: (n of SolidN, inner points (K, 3), tetrahedra (M, 4)) each.
+py::tuple tets_to_hexas(const cad::CadShape &shape, const cad::Skin &skin, const py::list &solids,
+                        cad::Layout &layout, const py::object &progress) {
+    std::vector<cad::SolidTets> all;
+    for (const auto &item : solids) {
+        const auto entry = item.cast<std::tuple<int, DoubleArray, IntArray>>();
+        cad::SolidTets tets{std::get<0>(entry), {}, {}};
+        const auto inner = points_of(std::get<1>(entry), "inner");
+        tets.inner.assign(inner.begin(), inner.end());
+        const auto cells = cells_of(std::get<2>(entry), 4, "tets");
+        const auto limit = static_cast<std::int32_t>(skin.points.size() + inner.size());
+        for (std::size_t c = 0; c < cells.size(); c += 4) {
+            std::array<std::int32_t, 4> t{};
+            for (std::size_t i = 0; i < 4; ++i) {
+                t[i] = cells[c + i];
+                if (t[i] < 0 || t[i] >= limit) {
+                    throw py::value_error("tets: row " + std::to_string(c / 4) + " has point " +
+                                          std::to_string(t[i]) + ", but there are " +
+                                          std::to_string(limit));
+                }
+            }
+            tets.tets.push_back(t);
+        }
+        all.push_back(std::move(tets));
+    }
+    cad::TetHexas result;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        result = cad::tets_to_hexas(shape, skin, all, layout, listener);
+    }
+    std::vector<double> limits;
+    for (const auto &f : result.folded) {
+        limits.insert(limits.end(), {f.place.x, f.place.y, f.place.z, f.radius, f.size});
+    }
+    const auto rows = static_cast<py::ssize_t>(result.folded.size());
+    return py::make_tuple(result.worst, give<double>(std::move(limits), {rows, 5}));
+}
+
+// What fit() returns, of the hexahedra that tets_to_hexas wrote.
+py::dict tet_blocks(const cad::CadShape &shape, const cad::Layout &layout,
+                    const std::vector<int> &solids, double tolerance, const py::object &progress) {
+    cad::CadBlocks blocks;
+    {
+        const Progress listener = progress_of(progress);
+        const py::gil_scoped_release release;
+        blocks = cad::blocks_of(shape, layout, 3);
+        for (const int solid : solids) {
+            cad::FitEntry entry;
+            entry.entity = {3, solid};
+            entry.method = "tet-to-hex";
+            for (std::size_t h = 0; h < layout.hexas.size(); ++h) {
+                if (layout.hexas[h].solid == solid) {
+                    entry.first_block =
+                        entry.blocks == 0 ? static_cast<std::int32_t>(h) : entry.first_block;
+                    ++entry.blocks;
+                }
+            }
+            blocks.report.push_back(std::move(entry));
+        }
+        constexpr int rounds = 2;
+        blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
+    }
+    return fit_dict(std::move(blocks));
+}
+
+// (n of FaceN, whether it bounds the solid) of each face; an inner face does not.
+std::vector<std::pair<int, bool>> solid_faces(const cad::CadShape &shape, int solid) {
+    std::map<int, bool> faces;
+    for (TopExp_Explorer f(shape.solid(solid), TopAbs_FACE); f.More(); f.Next()) {
+        const auto orientation = f.Current().Orientation();
+        const bool bounds = orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED;
+        const auto [known, fresh] = faces.try_emplace(shape.faces.FindIndex(f.Current()), bounds);
+        if (!fresh) {
+            known->second = false;
+        }
+    }
+    return {faces.begin(), faces.end()};
+}
+
+} // namespace
+
+void bind_tets(py::module_ &module) {
+    py::class_<cad::Skin, std::shared_ptr<cad::Skin>>(
+        module, "Skin", "Well-shaped triangles over CAD faces, points tagged with their entity.")
+        .def_property_readonly("points", [](const cad::Skin &s) { return table<double>(s.points); })
+        .def_property_readonly("on",
+                               [](const cad::Skin &s) { return table<std::int32_t>(s.on); })
+        .def_property_readonly("triangles",
+                               [](const cad::Skin &s) { return table<std::int32_t>(s.triangles); })
+        .def_property_readonly("faces",
+                               [](const cad::Skin &s) {
+                                   return table<std::int32_t>(s.faces).reshape({-1});
+                               })
+        .def_property_readonly("edges", [](const cad::Skin &s) { return s.edges; });
+    module.def("make_skin", &make_skin, py::arg("shape"), py::arg("faces"), py::arg("size") = 0.0,
+               py::arg("angle") = 0.45, py::arg("limits") = DoubleArray(),
+               py::arg("progress") = py::none(), "Coarse triangles over faces that meet at edges.");
+    py::class_<cad::Layout, std::shared_ptr<cad::Layout>>(
+        module, "Layout", "A coarse conforming mesh over CAD that strategies write into.")
+        .def(py::init<const cad::CadShape &>(), py::arg("shape"));
+    module.def("solid_faces", &solid_faces, py::arg("shape"), py::arg("solid"),
+               "(n of FaceN, whether it bounds the solid) of each face of a solid.");
+    module.def("tet_blocks", &tet_blocks, py::arg("shape"), py::arg("layout"), py::arg("solids"),
+               py::arg("tolerance"), py::arg("progress") = py::none(),
+               "Blocks of the hexahedra in a layout, as fit() gives them.");
+    module.def("tets_to_hexas", &tets_to_hexas, py::arg("shape"), py::arg("skin"),
+               py::arg("solids"), py::arg("layout"), py::arg("progress") = py::none(),
+               "Adds four hexahedra a tetrahedron; (worst scaled Jacobian, where it folds).");
+}
+
+} // namespace nmgs::bindings

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/edge_sizes.h"
+
+#include "nmgs_cad/edge_curve.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nmgs::cad {
+namespace {
+
+constexpr int steps = 24; // of an edge's length
+
+Vec3 vec(const gp_XYZ &p) {
+    return {p.X(), p.Y(), p.Z()};
+}
+
+double angle_between(Vec3 a, Vec3 b) {
+    return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+// A place on the boundary of a face.
+struct Sample {
+    Vec3 at;
+    int edge;
+    std::size_t step;
+    std::size_t loop;
+    double along; // of the loop's length
+    double size;
+};
+
+} // namespace
+
+double EdgeSize::segments() const {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
+        sum += 0.5 * (1 / wanted[i] + 1 / wanted[i + 1]);
+    }
+    return sum * length / static_cast<double>(wanted.size() - 1);
+}
+
+std::vector<double> EdgeSize::fractions(int n) const {
+    std::vector<double> sums{0};
+    for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
+        sums.push_back(sums.back() + 0.5 * (1 / wanted[i] + 1 / wanted[i + 1]));
+    }
+    std::vector<double> result;
+    std::size_t i = 0;
+    for (int k = 1; k < n; ++k) {
+        const double goal = sums.back() * k / n;
+        while (i + 2 < sums.size() && sums[i + 1] < goal) {
+            ++i;
+        }
+        const double t = (goal - sums[i]) / (sums[i + 1] - sums[i]);
+        result.push_back((static_cast<double>(i) + t) / static_cast<double>(wanted.size() - 1));
+    }
+    return result;
+}
+
+EdgeSize size_of_edge(const CadShape &shape, int edge, const LayoutOptions &options) {
+    EdgeSize size;
+    const BRepAdaptor_Curve curve(shape.edge(edge));
+    const EdgeCurve by_length(shape.edge(edge));
+    size.length = by_length.length();
+    size.closed = BRep_Tool::IsClosed(shape.edge(edge));
+    constexpr int samples = 48;
+    Vec3 last{};
+    for (int i = 0; i <= samples; ++i) {
+        gp_Pnt p;
+        gp_Vec d;
+        const double t = static_cast<double>(i) / samples;
+        curve.D1(curve.FirstParameter() + t * (curve.LastParameter() - curve.FirstParameter()), p,
+                 d);
+        const Vec3 tangent = vec(d.XYZ());
+        if (i > 0 && norm2(last) > 0 && norm2(tangent) > 0) {
+            size.turn += angle_between(last, tangent);
+        }
+        last = norm2(tangent) > 0 ? tangent : last;
+    }
+    double count = std::max(1.0, std::ceil(size.turn / options.angle - 0.05));
+    if (size.closed) {
+        count = std::max(count, 4.0);
+    }
+    double wanted = std::max(size.length, 1e-12) / count;
+    if (options.size > 0) {
+        wanted = std::min(wanted, options.size);
+    }
+    const double speed = curve.GetType() == GeomAbs_Line ? 1 : 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double f = static_cast<double>(i) / steps;
+        // On a line the points need no search for their length.
+        size.at.push_back(speed > 0
+                              ? vec(curve
+                                        .Value(curve.FirstParameter() +
+                                               f * (curve.LastParameter() - curve.FirstParameter()))
+                                        .XYZ())
+                              : by_length.at(f));
+        size.wanted.push_back(wanted);
+    }
+    return size;
+}
+
+void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
+    std::vector<Sample> samples;
+    std::vector<double> length;
+    double all = 0;
+    std::size_t uses = 0;
+    for (const FaceLoop &loop : loops.loops) {
+        uses += loop.size();
+    }
+    // Faces with very many edges are sampled more coarsely: the work grows with the square.
+    const std::size_t stride = uses > 100 ? 12 : uses > 40 ? 4 : 1;
+    for (std::size_t l = 0; l < loops.loops.size(); ++l) {
+        double along = 0;
+        for (const EdgeUse &use : loops.loops[l]) {
+            if (use.degenerated) {
+                continue;
+            }
+            const EdgeSize &size = sizes.at(use.edge);
+            for (std::size_t k = 0; k < size.at.size(); k += stride) {
+                const std::size_t i = use.forward ? k : size.at.size() - 1 - k;
+                const double f = static_cast<double>(k) / static_cast<double>(size.at.size() - 1);
+                samples.push_back(
+                    {size.at[i], use.edge, i, l, along + f * size.length, size.wanted[i]});
+            }
+            along += size.length;
+        }
+        length.push_back(along);
+        all += along;
+    }
+    const double least = all / 500;
+    // Another part of the boundary is one that is much farther along the boundary than across. Two
+    // quads fit between.
+    constexpr double detour = 4;
+    constexpr double share = 0.6;
+    for (Sample &s : samples) {
+        for (const Sample &t : samples) {
+            const double d = distance(s.at, t.at);
+            if (share * d >= s.size || d <= 1e-9 * all) {
+                continue;
+            }
+            double along = std::numeric_limits<double>::infinity();
+            if (s.loop == t.loop) {
+                along = std::abs(s.along - t.along);
+                along = std::min(along, length[s.loop] - along);
+            }
+            if (along > detour * d) {
+                s.size = std::min(s.size, std::max(share * d, least));
+            }
+        }
+    }
+    constexpr double growth = 0.6;
+    std::vector<double> sizes_before;
+    for (const Sample &s : samples) {
+        sizes_before.push_back(s.size);
+    }
+    for (Sample &s : samples) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            if (sizes_before[i] < s.size) {
+                s.size = std::min(s.size, sizes_before[i] + growth * distance(s.at, samples[i].at));
+            }
+        }
+        EdgeSize &size = sizes.at(s.edge);
+        for (std::size_t i = s.step >= stride ? s.step - stride + 1 : 0;
+             i < std::min(size.wanted.size(), s.step + stride); ++i) {
+            size.wanted[i] = std::min(size.wanted[i], s.size);
+        }
+    }
+}
+
+} // namespace nmgs::cad

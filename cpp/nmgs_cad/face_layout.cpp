@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/face_layout.h"
+
+#include "nmgs_cad/face_general.h"
+#include "nmgs_cad/face_intervals.h"
+#include "nmgs_cad/face_mapped.h"
+#include "nmgs_cad/face_midpoint.h"
+#include "nmgs_cad/face_ring.h"
+
+#include <Standard_Failure.hxx>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace nmgs::cad {
+namespace {
+
+// Two loops that ask for numbers of segments that are not too different.
+bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
+    if (loops.loops.size() != 2 || !loops.inner.empty()) {
+        return false;
+    }
+    std::array<double, 2> segments{0, 0};
+    for (std::size_t l = 0; l < 2; ++l) {
+        for (const EdgeUse &use : loops.loops[l]) {
+            if (use.degenerated || use.seam) {
+                return false;
+            }
+            segments[l] += std::max(1.0, sizes.at(use.edge).segments());
+        }
+    }
+    constexpr double most = 2.5;
+    return segments[0] <= most * segments[1] && segments[1] <= most * segments[0];
+}
+
+// Divides the edges of the plans that are not laid out yet.
+void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &layout,
+                  const LayoutOptions &options, const Progress &progress) {
+    EdgeSizes sizes;
+    const auto want = [&](const EdgeUse &use) {
+        if (!use.degenerated && !sizes.contains(use.edge)) {
+            sizes[use.edge] = size_of_edge(shape, use.edge, options);
+        }
+    };
+    for (const FacePlan &plan : plans) {
+        poll(progress, 0);
+        for (const FaceLoop &loop : plan.loops.loops) {
+            std::for_each(loop.begin(), loop.end(), want);
+        }
+        std::for_each(plan.loops.inner.begin(), plan.loops.inner.end(), want);
+    }
+    for (FacePlan &plan : plans) {
+        poll(progress, 0);
+        Refusal refusal;
+        plan.sides = logical_sides(plan.loops, refusal);
+        if (!plan.sides) {
+            plan.corners = midpoint_corners(plan.loops);
+            plan.ring = may_be_ring(plan.loops, sizes);
+        }
+        if (plan.general()) {
+            size_by_neighbourhood(plan.loops, sizes);
+        }
+    }
+    std::map<int, int> counts;
+    for (int round = 0; round < 3; ++round) {
+        poll(progress, 0);
+        std::vector<char> was_general;
+        for (const FacePlan &plan : plans) {
+            was_general.push_back(plan.general() ? 1 : 0);
+        }
+        counts = assign_intervals(shape, plans, sizes, layout);
+        bool changed = false;
+        for (std::size_t i = 0; i < plans.size(); ++i) {
+            if (plans[i].general() && was_general[i] == 0) {
+                size_by_neighbourhood(plans[i].loops, sizes);
+                changed = true;
+            }
+        }
+        if (!changed) {
+            break;
+        }
+    }
+    for (const auto &[edge, n] : counts) {
+        layout.divide_edge(shape, edge, sizes.at(edge).fractions(n));
+    }
+}
+
+// The best quads for a face whose edges are laid out.
+std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
+                  const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
+                  double &quality, const Progress &progress) {
+    const FaceSurface surface(shape.face(plan.face));
+    const auto boundary = boundary_of(shape, plan.loops, layout);
+    std::vector<BoundaryLoop> inner;
+    for (const EdgeUse &use : plan.loops.inner) {
+        BoundaryLoop line = nodes_along(shape, use, layout);
+        EdgeUse back = use;
+        back.forward = !use.forward;
+        BoundaryNode end = nodes_along(shape, back, layout).front();
+        line.push_back(end);
+        inner.push_back(std::move(line));
+    }
+    constexpr double good = 0.3;
+    std::optional<FaceMesh> best;
+    std::string method;
+    quality = -2;
+    const auto consider = [&](std::optional<FaceMesh> mesh, const char *name) {
+        if (mesh) {
+            const double q = worst_quality(*mesh);
+            if (q > quality) {
+                quality = q;
+                method = name;
+                best = std::move(mesh);
+            }
+        }
+    };
+    const auto sides = logical_sides(plan.loops, refusal);
+    const auto may = [&](const char *name) { return wanted == "auto" || wanted == name; };
+    if (sides && may("mapped")) {
+        consider(mapped_quads(surface, *sides, boundary, refusal), "mapped");
+    }
+    const auto corners = midpoint_corners(plan.loops);
+    if (!corners.empty() && may("mid-point")) {
+        consider(midpoint_quads(surface, corners, boundary, refusal), "mid-point");
+    }
+    if (boundary.size() == 2 && inner.empty() && may("ring")) {
+        consider(ring_quads(surface, boundary, refusal), "ring");
+    }
+    if (quality < good && may("general")) {
+        consider(general_quads(surface, boundary, inner, options, refusal, progress), "general");
+    }
+    if (best) {
+        put(*best, plan.face, layout);
+    }
+    return method;
+}
+
+std::string fail_safe_cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
+                            const LayoutOptions &options, const std::string &wanted,
+                            Refusal &refusal, double &quality, const Progress &progress) {
+    const std::string name = entity_name(2, plan.face);
+    std::string method;
+    try {
+        method = cover(shape, plan, layout, options, wanted, refusal, quality, progress);
+    } catch (const Standard_Failure &failure) {
+        refusal = {std::string("OpenCASCADE: ") + failure.GetMessageString(), {}};
+    }
+    if (method.empty()) {
+        refusal.reason = name + ": " + refusal.reason;
+        refusal.blockers.insert(refusal.blockers.begin(), name);
+    }
+    return method;
+}
+
+} // namespace
+
+bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOptions &options,
+                 Refusal &refusal, const Progress &progress) {
+    if (!layout.quads_of(face).empty()) {
+        return true;
+    }
+    auto loops = face_loops(shape, face, refusal);
+    if (!loops) {
+        return false;
+    }
+    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false}};
+    divide_edges(shape, plans, layout, options, progress);
+    double quality = 0;
+    return !fail_safe_cover(shape, plans.front(), layout, options, "auto", refusal, quality,
+                            progress)
+                .empty();
+}
+
+void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &layout,
+                  const LayoutOptions &options, std::vector<FitEntry> &report,
+                  const Progress &progress, const std::string &method) {
+    std::vector<FacePlan> plans;
+    std::map<int, Refusal> refused;
+    std::set<int> covered;
+    for (const auto &quad : layout.quads) {
+        covered.insert(quad.face);
+    }
+    for (const int face : faces) {
+        poll(progress, 0);
+        Refusal refusal;
+        auto loops = face_loops(shape, face, refusal);
+        if (!loops) {
+            refused[face] = refusal;
+        } else if (!covered.contains(face)) {
+            plans.push_back({face, std::move(*loops), std::nullopt, {}, false});
+        }
+    }
+    divide_edges(shape, plans, layout, options, progress);
+    for (const FacePlan &plan : plans) {
+        poll(progress, 0.2 + 0.8 * static_cast<double>(&plan - plans.data()) /
+                                 static_cast<double>(plans.size()));
+        FitEntry entry;
+        entry.entity = {2, plan.face};
+        entry.first_block = static_cast<std::int32_t>(layout.quads.size());
+        Refusal refusal;
+        entry.method =
+            fail_safe_cover(shape, plan, layout, options, method, refusal, entry.quality, progress);
+        entry.blocks = static_cast<std::int32_t>(layout.quads.size()) - entry.first_block;
+        if (entry.method.empty()) {
+            entry.reason = refusal.reason;
+            entry.blockers = refusal.blockers;
+        }
+        report.push_back(entry);
+    }
+    for (const auto &[face, refusal] : refused) {
+        FitEntry entry;
+        entry.entity = {2, face};
+        entry.reason = refusal.reason;
+        entry.blockers = refusal.blockers;
+        report.push_back(entry);
+    }
+}
+
+} // namespace nmgs::cad

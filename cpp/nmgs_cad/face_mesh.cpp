@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/face_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace nmgs::cad {
+
+std::int32_t FaceMesh::add(const FaceSurface &surface, Uv p) {
+    points.push_back(surface.at(p));
+    uv.push_back(p);
+    normals.push_back(surface.normal(p));
+    layout_point.push_back(-1);
+    rim.emplace_back();
+    return static_cast<std::int32_t>(points.size()) - 1;
+}
+
+void FaceMesh::move(const FaceSurface &surface, std::int32_t n, Uv p) {
+    const auto i = static_cast<std::size_t>(n);
+    uv[i] = p;
+    points[i] = surface.at(p);
+    normals[i] = surface.normal(p);
+}
+
+FaceMesh face_mesh_of(const FaceSurface &surface, const std::vector<BoundaryLoop> &boundary,
+                      std::vector<std::vector<std::int32_t>> &numbers) {
+    FaceMesh mesh;
+    numbers.assign(boundary.size(), {});
+    const Uv span = surface.high() - surface.low();
+    std::multimap<std::int32_t, std::int32_t> of_point;
+    for (std::size_t l = 0; l < boundary.size(); ++l) {
+        const BoundaryLoop &loop = boundary[l];
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const BoundaryNode &node = loop[i];
+            std::int32_t number = -1;
+            const auto [begin, end] = of_point.equal_range(node.point);
+            for (auto it = begin; it != end; ++it) {
+                const Uv d = mesh.uv[static_cast<std::size_t>(it->second)] - node.uv;
+                if (std::abs(d.u) <= 1e-9 * span.u && std::abs(d.v) <= 1e-9 * span.v) {
+                    number = it->second;
+                }
+            }
+            if (number < 0) {
+                number = static_cast<std::int32_t>(mesh.points.size());
+                of_point.emplace(node.point, number);
+                mesh.points.push_back(node.at);
+                mesh.uv.push_back(node.uv);
+                mesh.normals.push_back(surface.normal(node.uv));
+                mesh.layout_point.push_back(node.point);
+                FaceMesh::Rim rim;
+                rim.angle = node.angle;
+                rim.to_before = -1.0 * node.in;
+                rim.to_after = node.out;
+                mesh.rim.push_back(rim);
+            } else {
+                // Touched once more: what the boundary is there has no single answer.
+                auto &rim = mesh.rim[static_cast<std::size_t>(number)];
+                rim.angle += node.angle;
+                rim.to_before = rim.to_after = {0, 0, 0};
+            }
+            numbers[l].push_back(number);
+        }
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            auto &rim = mesh.rim[static_cast<std::size_t>(numbers[l][i])];
+            rim.before = numbers[l][(i + loop.size() - 1) % loop.size()];
+            rim.after = numbers[l][(i + 1) % loop.size()];
+        }
+    }
+    return mesh;
+}
+
+namespace {
+
+// Sine and cosine of the angle at corner c, not scaled; both 0 where it is not defined.
+std::array<double, 2> corner(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad,
+                             std::size_t c) {
+    const auto at = [&](std::int32_t n) { return mesh.points[static_cast<std::size_t>(n)]; };
+    const std::int32_t me = quad[c];
+    const FaceMesh::Rim &rim = mesh.rim[static_cast<std::size_t>(me)];
+    const auto direction = [&](std::int32_t other) {
+        if (rim.after >= 0 && mesh.fixed(other)) {
+            if (other == rim.after && norm2(rim.to_after) > 0) {
+                return rim.to_after;
+            }
+            if (other == rim.before && norm2(rim.to_before) > 0) {
+                return rim.to_before;
+            }
+        }
+        return at(other) - at(me);
+    };
+    const Vec3 ahead = direction(quad[(c + 1) % 4]);
+    const Vec3 back = direction(quad[(c + 3) % 4]);
+    Vec3 n = mesh.normals[static_cast<std::size_t>(me)];
+    if (norm2(n) == 0) {
+        n = cross(at(quad[2]) - at(quad[0]), at(quad[3]) - at(quad[1]));
+        const double l = norm(n);
+        n = l > 0 ? (1 / l) * n : n;
+    }
+    const Vec3 a = ahead - dot(ahead, n) * n;
+    const Vec3 b = back - dot(back, n) * n;
+    // A side that stands on the surface has no direction in it.
+    if (!(norm2(a) * norm2(b) > 1e-8 * norm2(ahead) * norm2(back))) {
+        return {0, 0};
+    }
+    return {dot(n, cross(a, b)), dot(a, b)};
+}
+
+} // namespace
+
+double corner_angle(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad, std::size_t c) {
+    const auto [sine, cosine] = corner(mesh, quad, c);
+    return std::atan2(sine, cosine);
+}
+
+double corner_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad,
+                      std::size_t c) {
+    const auto [sine, cosine] = corner(mesh, quad, c);
+    const double length = std::sqrt(sine * sine + cosine * cosine);
+    return length > 0 ? sine / length : -1;
+}
+
+double quad_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad) {
+    double least = 1;
+    for (std::size_t c = 0; c < 4; ++c) {
+        least = std::min(least, corner_quality(mesh, quad, c));
+    }
+    return least;
+}
+
+double worst_quality(const FaceMesh &mesh) {
+    double least = 1;
+    for (const auto &quad : mesh.quads) {
+        least = std::min(least, quad_quality(mesh, quad));
+    }
+    return least;
+}
+
+void put(const FaceMesh &mesh, int face, Layout &layout) {
+    std::vector<std::int32_t> number = mesh.layout_point;
+    std::vector<char> used(mesh.points.size(), 0);
+    for (const auto &quad : mesh.quads) {
+        for (const std::int32_t n : quad) {
+            used[static_cast<std::size_t>(n)] = 1;
+        }
+    }
+    for (std::size_t n = 0; n < number.size(); ++n) {
+        if (number[n] < 0 && used[n] != 0) {
+            number[n] = layout.add_point(mesh.points[n], {2, face});
+        }
+    }
+    for (const auto &quad : mesh.quads) {
+        Layout::Quad q{{}, face};
+        for (std::size_t i = 0; i < 4; ++i) {
+            q.points[i] = number[static_cast<std::size_t>(quad[i])];
+        }
+        layout.quads.push_back(q);
+    }
+}
+
+} // namespace nmgs::cad

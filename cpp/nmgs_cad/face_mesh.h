@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Quads over one face before they are put into a layout: what the strategies for faces make.
+#pragma once
+
+#include "nmgs_cad/face_boundary.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nmgs::cad {
+
+// A face that is cut open along its seams; its nodes on the boundary come first and are fixed.
+struct FaceMesh {
+    std::vector<Vec3> points;
+    std::vector<Uv> uv;
+    std::vector<Vec3> normals;                      // of the oriented face at the points
+    std::vector<std::int32_t> layout_point;         // of nodes on the boundary; -1 inside
+    std::vector<std::array<std::int32_t, 4>> quads; // counter-clockwise about the normal
+    // Of node n on the boundary: its angle and its neighbours along the boundary with the
+    // directions of the boundary to them; -1 inside and where there is none.
+    struct Rim {
+        double angle = 0;
+        std::int32_t before = -1, after = -1;
+        Vec3 to_before{}, to_after{};
+    };
+    std::vector<Rim> rim;
+
+    [[nodiscard]] bool fixed(std::int32_t n) const {
+        return layout_point[static_cast<std::size_t>(n)] >= 0;
+    }
+    std::int32_t add(const FaceSurface &surface, Uv p);
+    void move(const FaceSurface &surface, std::int32_t n, Uv p);
+};
+
+// The nodes of the boundary, loop after loop, each place once: poles and places at which the loops
+// touch are one node. numbers[loop][i]: the node of the boundary's node.
+FaceMesh face_mesh_of(const FaceSurface &surface, const std::vector<BoundaryLoop> &boundary,
+                      std::vector<std::vector<std::int32_t>> &numbers);
+
+// The angle at corner c of a quad in the tangent plane, in (-pi, pi], negative when turned over:
+// what it tends to when the quad is divided. Along the boundary its tangents count.
+double corner_angle(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad, std::size_t c);
+// Its sine: what the scaled Jacobian tends to; -1 where the angle is not defined.
+double corner_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad, std::size_t c);
+// The least over the corners.
+double quad_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad);
+double worst_quality(const FaceMesh &mesh);
+
+// Puts the nodes inside and the quads into the layout.
+void put(const FaceMesh &mesh, int face, Layout &layout);
+
+} // namespace nmgs::cad

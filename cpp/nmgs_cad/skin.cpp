@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/skin.h"
+
+#include "nmgs/plc/check.h"
+#include "nmgs/support/box_tree.h"
+#include "nmgs_cad/skin_mesh.h"
+#include "nmgs_cad/skin_start.h"
+
+#include <TopExp_Explorer.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace nmgs::cad {
+namespace {
+
+std::size_t at(std::int32_t n) {
+    return static_cast<std::size_t>(n);
+}
+
+std::array<Vec3, 3> corners(const SkinMesh &mesh, const SkinMesh::Triangle &t) {
+    return {mesh.points[at(t.p[0])].p, mesh.points[at(t.p[1])].p, mesh.points[at(t.p[2])].p};
+}
+
+// Distance along the ray to the triangle, or infinity.
+double ray(Vec3 from, Vec3 direction, const std::array<Vec3, 3> &t) {
+    const Vec3 u = t[1] - t[0];
+    const Vec3 v = t[2] - t[0];
+    const Vec3 h = cross(direction, v);
+    const double det = dot(u, h);
+    if (std::abs(det) < 1e-12 * norm(u) * norm(v)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const Vec3 s = from - t[0];
+    const double a = dot(s, h) / det;
+    const Vec3 q = cross(s, u);
+    const double b = dot(direction, q) / det;
+    if (a < 0 || b < 0 || a + b > 1) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return dot(v, q) / det;
+}
+
+// Upper bounds of the lengths at points where another face is near, across material or a gap.
+std::vector<double> near_bounds(SkinMesh &mesh) {
+    std::vector<double> bounds(mesh.points.size(), std::numeric_limits<double>::infinity());
+    std::vector<Box> boxes;
+    std::vector<std::size_t> numbers;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.triangles[t].face != 0) {
+            Box box;
+            for (const Vec3 p : corners(mesh, mesh.triangles[t])) {
+                box.add(p);
+            }
+            boxes.push_back(box);
+            numbers.push_back(t);
+        }
+    }
+    const BoxTree tree(boxes);
+    for (const std::size_t t : numbers) {
+        const SkinMesh::Triangle &triangle = mesh.triangles[t];
+        const auto c = corners(mesh, triangle);
+        const Vec3 n = cross(c[1] - c[0], c[2] - c[0]);
+        if (norm(n) == 0) {
+            continue;
+        }
+        const Vec3 middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
+        double size = 0;
+        for (const std::int32_t p : triangle.p) {
+            size = std::max(size, mesh.points[at(p)].size);
+        }
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 direction = (sign / norm(n)) * n;
+            Box box;
+            box.add(middle);
+            box.add(middle + 0.5 * size * direction);
+            double nearest = 0.5 * size;
+            std::int32_t other = 0;
+            tree.near(box, 0, [&](std::uint32_t k) {
+                const auto &candidate = mesh.triangles[numbers[k]];
+                if (numbers[k] == t || candidate.face == triangle.face) {
+                    return;
+                }
+                for (const std::int32_t p : candidate.p) {
+                    if (std::find(triangle.p.begin(), triangle.p.end(), p) != triangle.p.end()) {
+                        return;
+                    }
+                }
+                const double d = ray(middle, direction, corners(mesh, candidate));
+                if (d > 0 && d < nearest) {
+                    nearest = d;
+                    other = candidate.face;
+                }
+            });
+            if (other != 0) {
+                // Flat walls may be far thinner than their triangles are long.
+                const bool flat = mesh.face(triangle.face).planar() && mesh.face(other).planar();
+                const double least = mesh.diagonal / (flat ? 30 : 150);
+                const double bound = std::max(least, (flat ? 5 : 3) * nearest);
+                for (const std::int32_t p : triangle.p) {
+                    bounds[at(p)] = std::min(bounds[at(p)], bound);
+                }
+            }
+        }
+    }
+    return bounds;
+}
+
+// The triangles that cross another one of the same solid; faces of no solid belong together.
+std::set<std::size_t> crossing(const CadShape &shape, const SkinMesh &mesh,
+                               const Progress &progress) {
+    std::vector<std::set<int>> solids(at(shape.faces.Extent()) + 1);
+    for (int s = 1; s <= shape.solids.Extent(); ++s) {
+        for (TopExp_Explorer f(shape.solid(s), TopAbs_FACE); f.More(); f.Next()) {
+            solids[at(shape.faces.FindIndex(f.Current()))].insert(s);
+        }
+    }
+    Plc plc;
+    std::vector<std::size_t> numbers;
+    for (const SkinPoint &p : mesh.points) {
+        plc.points.push_back(p.p);
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.triangles[t].face != 0) {
+            for (const std::int32_t n : mesh.triangles[t].p) {
+                plc.polygon_nodes.push_back(n);
+            }
+            plc.end_polygon();
+            plc.end_facet();
+            numbers.push_back(t);
+        }
+    }
+    std::set<std::size_t> result;
+    for (const PlcProblem &problem : check(plc, {}, progress)) {
+        if (problem.fault != PlcFault::crossing_facets) {
+            continue;
+        }
+        const std::size_t a = numbers[at(problem.facets[0])];
+        const std::size_t b = numbers[at(problem.facets[1])];
+        const auto &of_a = solids[at(mesh.triangles[a].face)];
+        const auto &of_b = solids[at(mesh.triangles[b].face)];
+        const bool together =
+            of_a.empty() || of_b.empty() ||
+            std::any_of(of_a.begin(), of_a.end(), [&](int s) { return of_b.contains(s); });
+        if (together) {
+            result.insert(a);
+            result.insert(b);
+        }
+    }
+    return result;
+}
+
+Skin output(SkinMesh &mesh, const CadShape &shape) {
+    Skin skin;
+    std::vector<std::int32_t> number(mesh.points.size(), -1);
+    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+        const SkinPoint &p = mesh.points[n];
+        if (p.alive) {
+            number[n] = static_cast<std::int32_t>(skin.points.size());
+            skin.points.push_back(p.p);
+            skin.on.push_back(p.on);
+            skin.source.push_back(p.source);
+        }
+    }
+    for (const auto &t : mesh.triangles) {
+        if (t.face != 0) {
+            skin.triangles.push_back({number[at(t.p[0])], number[at(t.p[1])], number[at(t.p[2])]});
+            skin.faces.push_back(t.face);
+            skin.uv.push_back({mesh.corner(t.face, t.p[0]).uv, mesh.corner(t.face, t.p[1]).uv,
+                               mesh.corner(t.face, t.p[2]).uv});
+        }
+    }
+    skin.edges.resize(at(shape.edges.Extent()) + 1);
+    skin.parameters.resize(skin.edges.size());
+    std::vector<std::vector<std::array<std::int32_t, 2>>> of_edge(skin.edges.size());
+    for (const auto &[ends, e] : mesh.segments()) {
+        of_edge[at(e)].push_back(ends);
+    }
+    for (std::size_t e = 1; e < of_edge.size(); ++e) {
+        const auto edge = static_cast<std::int32_t>(e);
+        // By the parameter of each segment's start.
+        std::vector<std::pair<double, std::array<std::int32_t, 2>>> order;
+        for (auto [a, b] : of_edge[e]) {
+            const auto [ta, tb] = mesh.parameters(a, b, edge);
+            order.push_back(ta < tb ? std::pair{ta, std::array{a, b}}
+                                    : std::pair{tb, std::array{b, a}});
+        }
+        std::sort(order.begin(), order.end());
+        for (const auto &[t, ends] : order) {
+            if (skin.edges[e].empty()) {
+                skin.edges[e].push_back(number[at(ends[0])]);
+                skin.parameters[e].push_back(t);
+            }
+            skin.edges[e].push_back(number[at(ends[1])]);
+            skin.parameters[e].push_back(mesh.parameters(ends[0], ends[1], edge)[1]);
+        }
+    }
+    return skin;
+}
+
+} // namespace
+
+Skin make_skin(const CadShape &shape, std::span<const int> faces, const SkinOptions &options,
+               const Progress &progress) {
+    SkinMesh mesh(shape, options);
+    start_skin(shape, faces, options, mesh, progress);
+    poll(progress, 0.2);
+    std::vector<double> bounds;
+    constexpr int passes = 5;
+    for (int k = 0; k < passes; ++k) {
+        mesh.find_sizes(bounds);
+        if (options.proximity && k < 2) {
+            bounds = near_bounds(mesh);
+            mesh.find_sizes(bounds);
+        }
+        mesh.pass(progress, 0.2 + 0.1 * k, 0.3 + 0.1 * k);
+        bounds.resize(mesh.points.size(), std::numeric_limits<double>::infinity());
+    }
+    mesh.part_twins();
+    mesh.cut_ears();
+    mesh.smooth();
+    mesh.smooth();
+    SkinOptions finer = options;
+    for (int round = 0; round < 5; ++round) {
+        const auto crossed = crossing(shape, mesh, progress);
+        if (crossed.empty()) {
+            break;
+        }
+        bounds.assign(mesh.points.size(), std::numeric_limits<double>::infinity());
+        for (const std::size_t t : crossed) {
+            const auto &p = mesh.triangles[t].p;
+            double longest = 0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                longest = std::max(longest, distance(mesh.points[at(p[i])].p,
+                                                     mesh.points[at(p[(i + 1) % 3])].p));
+            }
+            for (const std::int32_t n : p) {
+                bounds[at(n)] = std::min(bounds[at(n)], 0.5 * longest);
+            }
+        }
+        for (int k = 0; k < 2; ++k) {
+            mesh.find_sizes(bounds);
+            mesh.pass(progress, 0.7 + 0.05 * round, 0.75 + 0.05 * round);
+            bounds.resize(mesh.points.size(), std::numeric_limits<double>::infinity());
+        }
+        mesh.part_twins();
+        mesh.cut_ears();
+        mesh.smooth();
+    }
+    poll(progress, 1);
+    return output(mesh, shape);
+}
+
+} // namespace nmgs::cad

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Cuts solids by faces, or imprints them on each other, and keeps account of where each piece comes
+// from.
+#pragma once
+
+#include "nmgs_cad/layout.h"
+#include "nmgs_cad/refusal.h"
+
+#include <TopTools_ListOfShape.hxx>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace nmgs::cad {
+
+// Solids that share their faces, made from solids of another shape. Of each vertex, edge, face and
+// solid of `cad`, from 1: the entity of least dimension of the other shape that it lies on.
+struct Pieces {
+    CadShape cad;
+    std::vector<CadEntity> vertex_on, edge_on, face_on, solid_on;
+};
+
+// The solids cut by all the tools at once (general fuse, so that what touches shares its faces).
+// No tools: the solids imprinted on each other. Nothing and the refusal when OpenCASCADE fails, or
+// when its pieces do not make up the solids.
+std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
+                            const TopTools_ListOfShape &tools, Refusal &refusal);
+
+// Takes what is laid out on the pieces into the layout of the shape that they come from, which has
+// nothing yet on the edges and faces of these solids; else false and the refusal.
+bool join(const CadShape &shape, const Pieces &pieces, const Layout &of_pieces, Layout &layout,
+          Refusal &refusal);
+
+} // namespace nmgs::cad

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/tets_to_hexas.h"
+
+#include "nmgs_cad/cad_tets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nmgs::cad {
+namespace {
+
+std::size_t at(std::int32_t n) {
+    return static_cast<std::size_t>(n);
+}
+
+// For each corner of a tetrahedron the three others, right-handed.
+constexpr std::array<std::array<std::size_t, 3>, 4> others{
+    {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {0, 2, 1}}};
+// For each corner of a hexahedron its three neighbours, right-handed.
+constexpr std::array<std::array<std::size_t, 3>, 8> next{
+    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+
+// The hexahedra while their inner points move.
+struct Cells {
+    std::vector<Vec3> points;
+    std::vector<char> free;
+    std::vector<std::array<std::int32_t, 8>> hexas;
+    std::vector<std::vector<std::int32_t>> around;
+
+    [[nodiscard]] double corner(const std::array<std::int32_t, 8> &h, std::size_t c) const {
+        const Vec3 o = points[at(h[c])];
+        const Vec3 u = points[at(h[next[c][0]])] - o;
+        const Vec3 v = points[at(h[next[c][1]])] - o;
+        const Vec3 w = points[at(h[next[c][2]])] - o;
+        const double l = norm(u) * norm(v) * norm(w);
+        return l > 0 ? determinant(u, v, w) / l : -1;
+    }
+    [[nodiscard]] double worst(const std::array<std::int32_t, 8> &h) const {
+        double least = 1;
+        for (std::size_t c = 0; c < 8; ++c) {
+            least = std::min(least, corner(h, c));
+        }
+        return least;
+    }
+    [[nodiscard]] double worst_around(std::int32_t n) const {
+        double least = 1;
+        for (const std::int32_t h : around[at(n)]) {
+            least = std::min(least, worst(hexas[at(h)]));
+        }
+        return least;
+    }
+    void move(std::int32_t n, double &worst);
+    double improve(double good, int sweeps, const Progress &progress);
+};
+
+void Cells::move(std::int32_t n, double &worst) {
+    double size = 0;
+    for (const std::int32_t h : around[at(n)]) {
+        size += distance(points[at(hexas[at(h)][0])], points[at(hexas[at(h)][6])]);
+    }
+    double step = 0.1 * size / static_cast<double>(around[at(n)].size());
+    Vec3 last{0, 0, 0};
+    const auto attempt = [&](Vec3 d) {
+        const Vec3 old = points[at(n)];
+        points[at(n)] = old + d;
+        const double now = worst_around(n);
+        if (now > worst + 1e-9) {
+            worst = now;
+            last = d;
+            return true;
+        }
+        points[at(n)] = old;
+        return false;
+    };
+    for (int round = 0; round < 7; ++round) {
+        bool better = norm2(last) > 0 && attempt(last);
+        for (const Vec3 d : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0},
+                             Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+            better = attempt(step * d) || better;
+        }
+        step *= better ? 1.2 : 0.5;
+    }
+}
+
+// Moves the free points of the worst hexahedra; the worst value left.
+double Cells::improve(double good, int sweeps, const Progress &progress) {
+    double least = 1;
+    for (int sweep = 0; sweep <= sweeps; ++sweep) {
+        poll(progress, 0.5 + 0.5 * sweep / (sweeps + 1));
+        std::vector<std::pair<double, std::int32_t>> bad;
+        least = 1;
+        for (std::size_t h = 0; h < hexas.size(); ++h) {
+            const double q = worst(hexas[h]);
+            least = std::min(least, q);
+            if (q < good) {
+                bad.emplace_back(q, static_cast<std::int32_t>(h));
+            }
+        }
+        if (bad.empty() || sweep == sweeps) {
+            break;
+        }
+        std::sort(bad.begin(), bad.end());
+        std::vector<char> seen(points.size(), 0);
+        for (const auto &[q, h] : bad) {
+            for (const std::int32_t n : hexas[at(h)]) {
+                if (free[at(n)] != 0 && seen[at(n)] == 0) {
+                    seen[at(n)] = 1;
+                    double now = worst_around(n);
+                    move(n, now);
+                }
+            }
+        }
+    }
+    return least;
+}
+
+} // namespace
+
+TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const SolidTets> solids,
+                       Layout &layout, const Progress &progress) {
+    CadTets mesh(shape, skin, solids);
+    mesh.split_folding(4);
+    poll(progress, 0.1);
+    mesh.smooth(6);
+    poll(progress, 0.2);
+
+    // Points of the layout: corners, middles of edges, of faces, of tetrahedra.
+    const auto first = static_cast<std::int32_t>(layout.points.size());
+    std::vector<std::int32_t> number(mesh.points.size(), -1);
+    const auto corner = [&](std::int32_t n) {
+        if (number[at(n)] < 0) {
+            number[at(n)] = mesh.on[at(n)].dimension == 0
+                                ? layout.vertex(shape, mesh.on[at(n)].index)
+                                : layout.add_point(mesh.points[at(n)], mesh.on[at(n)]);
+        }
+        return number[at(n)];
+    };
+    std::map<std::array<std::int32_t, 2>, std::int32_t> of_edge;
+    std::map<std::array<std::int32_t, 3>, std::int32_t> of_face;
+    const auto middle = [&](std::int32_t a, std::int32_t b, int solid) {
+        const auto [known, fresh] = of_edge.try_emplace({std::min(a, b), std::max(a, b)}, 0);
+        if (fresh) {
+            auto m = mesh.middle(a, b);
+            if (m.on.dimension == 3) {
+                m.on.index = solid;
+            }
+            known->second = layout.add_point(m.p, m.on);
+        }
+        return known->second;
+    };
+    const auto centre = [&](std::array<std::int32_t, 3> c, int solid) {
+        auto key = c;
+        std::sort(key.begin(), key.end());
+        const auto [known, fresh] = of_face.try_emplace(key, 0);
+        if (fresh) {
+            const std::array<Vec3, 3> m{layout.points[at(middle(c[0], c[1], solid))],
+                                        layout.points[at(middle(c[1], c[2], solid))],
+                                        layout.points[at(middle(c[2], c[0], solid))]};
+            const auto f = mesh.centre(c, m, solid);
+            known->second = layout.add_point(f.p, f.on);
+        }
+        return known->second;
+    };
+    const std::size_t first_hexa = layout.hexas.size();
+    std::vector<std::int32_t> tet_of;
+    // The hexahedra of a solid follow each other.
+    std::vector<std::size_t> order(mesh.tets.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return mesh.tets[a].solid < mesh.tets[b].solid;
+    });
+    for (const std::size_t t : order) {
+        const auto &[p, solid] = mesh.tets[t];
+        Vec3 c{0, 0, 0};
+        for (std::size_t i = 0; i < 4; ++i) {
+            c += -0.125 * mesh.points[at(p[i])];
+            for (std::size_t j = i + 1; j < 4; ++j) {
+                c += 0.25 * layout.points[at(middle(p[i], p[j], solid))];
+            }
+        }
+        const std::int32_t inside = layout.add_point(c, {3, solid});
+        for (std::size_t v = 0; v < 4; ++v) {
+            const std::int32_t o = p[v];
+            const std::int32_t i = p[others[v][0]];
+            const std::int32_t j = p[others[v][1]];
+            const std::int32_t k = p[others[v][2]];
+            layout.hexas.push_back({{corner(o), middle(o, i, solid), centre({o, i, j}, solid),
+                                     middle(o, j, solid), middle(o, k, solid),
+                                     centre({o, i, k}, solid), inside, centre({o, j, k}, solid)},
+                                    solid});
+            tet_of.push_back(static_cast<std::int32_t>(t));
+        }
+        if (t % 256 == 0) {
+            poll(progress, 0.2 + 0.3 * static_cast<double>(t) /
+                                     static_cast<double>(mesh.tets.size()));
+        }
+    }
+    for (const auto &t : mesh.triangles) {
+        const std::int32_t inside = centre(t.p, 0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int32_t o = t.p[i];
+            layout.quads.push_back({{corner(o), middle(o, t.p[(i + 1) % 3], 0), inside,
+                                     middle(o, t.p[(i + 2) % 3], 0)},
+                                    t.face});
+        }
+    }
+    for (std::size_t e = 1; e < mesh.chains.size(); ++e) {
+        const auto &chain = mesh.chains[e].points;
+        if (chain.empty() || !layout.edges[e].empty()) {
+            continue;
+        }
+        auto &list = layout.edges[e];
+        list.push_back(corner(chain[0]));
+        for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+            list.push_back(middle(chain[k], chain[k + 1], 0));
+            list.push_back(corner(chain[k + 1]));
+        }
+    }
+
+    Cells cells;
+    cells.points = layout.points;
+    cells.free.assign(layout.points.size(), 0);
+    for (std::size_t n = at(first); n < layout.points.size(); ++n) {
+        cells.free[n] = layout.on[n].dimension == 3 ? 1 : 0;
+    }
+    cells.around.resize(layout.points.size());
+    for (std::size_t h = first_hexa; h < layout.hexas.size(); ++h) {
+        for (const std::int32_t n : layout.hexas[h].points) {
+            cells.around[at(n)].push_back(static_cast<std::int32_t>(cells.hexas.size()));
+        }
+        cells.hexas.push_back(layout.hexas[h].points);
+    }
+    constexpr double good = 0.12;
+    constexpr int sweeps = 8;
+    TetHexas result;
+    result.worst = cells.improve(good, sweeps, progress);
+    layout.points = cells.points;
+
+    constexpr double folded = 0.01;
+    std::int32_t last = -1;
+    for (std::size_t h = 0; h < cells.hexas.size(); ++h) {
+        if (cells.worst(cells.hexas[h]) > folded || tet_of[h] == last) {
+            continue;
+        }
+        last = tet_of[h];
+        const auto &p = mesh.tets[at(last)].p;
+        Vec3 place{0, 0, 0};
+        double longest = 0;
+        bool curved = false;
+        for (std::size_t i = 0; i < 4; ++i) {
+            place += 0.25 * mesh.points[at(p[i])];
+            for (std::size_t j = i + 1; j < 4; ++j) {
+                longest = std::max(longest, distance(mesh.points[at(p[i])], mesh.points[at(p[j])]));
+            }
+            curved = curved || mesh.on[at(p[i])].dimension < 3;
+        }
+        if (curved) {
+            result.folded.push_back({place, longest, 0.5 * longest});
+        }
+    }
+    return result;
+}
+
+} // namespace nmgs::cad
