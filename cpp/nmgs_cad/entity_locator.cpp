@@ -49,6 +49,10 @@ std::vector<int> numbers(const TopTools_IndexedMapOfShape &all, const TopoDS_Sha
 
 } // namespace
 
+double extent_of(const TopoDS_Shape &shape) {
+    return box_of(shape, 0).diagonal();
+}
+
 struct EntityLocator::Curves {
     struct Curve {
         BRepAdaptor_Curve curve;

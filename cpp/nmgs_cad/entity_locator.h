@@ -11,6 +11,9 @@
 
 namespace nmgs::cad {
 
+// Diagonal of a box round the shape; not the least one.
+double extent_of(const TopoDS_Shape &shape);
+
 class EntityLocator {
 public:
     // tolerance: how far from an entity a point may be, beside the entity's own tolerance.

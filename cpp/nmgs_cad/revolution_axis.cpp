@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/revolution_axis.h"
 
+#include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/face_normals.h"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -105,7 +106,7 @@ double angle_at(const gp_Ax2 &frame, Vec3 p) {
 
 std::optional<RevolutionAxis> revolution_axis(const CadShape &shape, int solid, Refusal &refusal) {
     const TopoDS_Solid body = shape.solid(solid);
-    const double tolerance = 1e-5 * shape.diagonal();
+    const double tolerance = 1e-5 * extent_of(body);
     Axes axes{tolerance, {}};
     std::vector<gp_Pnt> poles;
     TopTools_IndexedMapOfShape edges;

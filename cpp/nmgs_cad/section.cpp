@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/section.h"
 
+#include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/face_normals.h"
 
 #include <BOPTools_AlgoTools3D.hxx>
@@ -50,6 +51,7 @@ struct Prism {
     }
     bool classify(Refusal &refusal);
     bool check_edges(Refusal &refusal) const;
+    [[nodiscard]] bool across(const TopoDS_Edge &edge) const;
 };
 
 bool Prism::classify(Refusal &refusal) {
@@ -91,6 +93,19 @@ bool Prism::classify(Refusal &refusal) {
     return check_edges(refusal);
 }
 
+bool Prism::across(const TopoDS_Edge &edge) const {
+    const BRepAdaptor_Curve curve(edge);
+    const double a = curve.FirstParameter();
+    const double b = curve.LastParameter();
+    const double t = dot(vec(curve.Value(a).XYZ()), direction);
+    bool result = true;
+    for (int i = 1; i <= 4; ++i) {
+        const Vec3 p = vec(curve.Value(a + (b - a) * i / 4).XYZ());
+        result = result && std::abs(dot(p, direction) - t) <= 2 * tolerance;
+    }
+    return result;
+}
+
 bool Prism::check_edges(Refusal &refusal) const {
     for (TopExp_Explorer it(shape.solid(solid), TopAbs_EDGE); it.More(); it.Next()) {
         const TopoDS_Edge edge = TopoDS::Edge(it.Current());
@@ -100,16 +115,13 @@ bool Prism::check_edges(Refusal &refusal) const {
         const BRepAdaptor_Curve curve(edge);
         const double a = curve.FirstParameter();
         const double b = curve.LastParameter();
-        bool across = true;
         bool along = true;
         const Vec3 start = vec(curve.Value(a).XYZ());
-        const double t = dot(start, direction);
         for (int i = 1; i <= 4; ++i) {
             const Vec3 p = vec(curve.Value(a + (b - a) * i / 4).XYZ());
-            across = across && std::abs(dot(p, direction) - t) <= 2 * tolerance;
             along = along && norm(cross(p - start, direction)) <= 2 * tolerance;
         }
-        if (!across && !along) {
+        if (!along && !across(edge)) {
             const int n = shape.edges.FindIndex(edge);
             refusal = {entity_name(1, n) + " runs askew to the sweep", {entity_name(1, n)}};
             return false;
@@ -195,7 +207,8 @@ void fill_columns(const TopoDS_Solid &solid, const TopoDS_Shape &arrangement, Se
 
 bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, Section &section,
                    Refusal &refusal) {
-    Prism prism{shape, solid, vec(direction.XYZ()), 1e-5 * shape.diagonal(), {}, {}, 0, {}};
+    Prism prism{shape, solid, vec(direction.XYZ()), 1e-5 * extent_of(shape.solid(solid)), {}, {},
+                0,     {}};
     if (!prism.classify(refusal)) {
         return false;
     }
@@ -216,6 +229,33 @@ bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, Se
         TopTools_ListOfShape faces;
         for (std::size_t i = 0; i < prism.caps.size(); ++i) {
             faces.Append(section.motion.move(prism.caps[i], section.base - prism.cap_level[i]));
+        }
+        // What lies on walls or inside caps alone has to be met as well.
+        TopTools_IndexedMapOfShape met;
+        for (const auto &cap : prism.caps) {
+            for (TopExp_Explorer it(cap, TopAbs_EDGE); it.More(); it.Next()) {
+                if (it.Current().Orientation() == TopAbs_FORWARD ||
+                    it.Current().Orientation() == TopAbs_REVERSED) {
+                    TopExp::MapShapes(it.Current(), TopAbs_EDGE, met);
+                    TopExp::MapShapes(it.Current(), TopAbs_VERTEX, met);
+                }
+            }
+        }
+        for (const auto type : {TopAbs_EDGE, TopAbs_VERTEX}) {
+            TopTools_IndexedMapOfShape all;
+            TopExp::MapShapes(shape.solid(solid), type, all);
+            for (int i = 1; i <= all.Extent(); ++i) {
+                if (met.Contains(all(i))) {
+                    continue;
+                }
+                const gp_Pnt p =
+                    BRep_Tool::Pnt(type == TopAbs_EDGE ? TopExp::FirstVertex(TopoDS::Edge(all(i)))
+                                                       : TopoDS::Vertex(all(i)));
+                if (type == TopAbs_VERTEX || prism.across(TopoDS::Edge(all(i)))) {
+                    faces.Append(
+                        section.motion.move(all(i), section.base - prism.level(vec(p.XYZ()))));
+                }
+            }
         }
         arrangement = arrange(faces, prism.tolerance);
         if (arrangement.IsNull()) {

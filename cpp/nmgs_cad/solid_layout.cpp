@@ -2,6 +2,7 @@
 #include "nmgs_cad/solid_layout.h"
 
 #include "nmgs/support/error.h"
+#include "nmgs_cad/cut.h"
 #include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/mapped.h"
 #include "nmgs_cad/midpoint.h"
@@ -26,11 +27,8 @@ namespace nmgs::cad {
 namespace {
 
 constexpr SolidStrategy strategies[] = {
-    {"mapped", &fill_mapped},
-    {"primitive", &fill_primitive},
-    {"submap", &fill_submap},
-    {"sweep", &fill_sweep},
-    {"mid-point", &fill_midpoint},
+    {"mapped", &fill_mapped}, {"primitive", &fill_primitive}, {"submap", &fill_submap},
+    {"sweep", &fill_sweep},   {"mid-point", &fill_midpoint},  {"cut", &fill_cut},
 };
 
 // More than the volume of a coarse mesh of a round solid may be wrong by.
@@ -107,6 +105,9 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         }
         poll(progress, 0.0);
+        if (strategy == &fill_cut && best && best->quality.worst >= options.good) {
+            break; // the search for cuts is dear
+        }
         const auto refuse = [&](const Refusal &refusal) {
             entry.reason +=
                 (entry.reason.empty() ? "" : "; ") + std::string(name) + ": " + refusal.reason;

@@ -186,12 +186,26 @@ def test_picked_entities_keep_their_names():
 
 def test_what_cannot_be_blocked_says_why():
     with pytest.raises(nmgs.BlockingError) as caught:
-        nmgs.fit(Part.makeCylinder(1, 2))
+        nmgs.fit(Part.makeCylinder(1, 2), method="mapped")
     assert caught.value.entities == ["Solid1"] and "3 faces" in caught.value.reasons[0]
     pair = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeSphere(1, Vector(5, 0, 0))])
-    report = nmgs.fit(pair).report
+    report = nmgs.fit(pair, method="mapped").report
     assert [bool(entry["method"]) for entry in report] == [True, False]
     assert report[1]["reason"]
+
+
+def test_structured_blocks_and_tetrahedra_in_one_model():
+    # Only the second has a structured strategy.
+    lump = Part.makeSphere(2).cut(Part.makeBox(1, 3, 1.5)).cut(Part.makeCylinder(0.3, 5))
+    pair = Part.makeCompound([lump, Part.makeBox(1, 1, 1, Vector(5, 0, 0))])
+    model = nmgs.fit(pair)
+    assert model.report[1]["method"] == "mapped"
+    mesh = model.generate()
+    assert set(mesh.cells) == {"hexahedron", "quad"}
+    quality = mesh.quality()["hexahedron"]
+    assert quality.min() > 0
+    assert len(mesh.groups["Solid1"][1]) + len(mesh.groups["Solid2"][1]) == len(quality)
+    assert mesh.report().volume == pytest.approx(pair.Volume, rel=0.02)
 
 
 @pytest.mark.parametrize(
@@ -227,3 +241,29 @@ def test_cancel():
     model = nmgs.fit(twisted_prism(), size=0.1)
     with pytest.raises(nmgs.Cancelled):
         model.generate(progress=lambda fraction: fraction < 0.5)
+
+
+DEFAULTS = {
+    "cylinder": lambda: Part.makeCylinder(3, 8),
+    "tube": lambda: tube_sector(180),
+    "plate": lambda: Part.makeBox(40, 30, 1),
+}
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_default_divisions_keep_the_volume(name):
+    shape = DEFAULTS[name]()
+    try:
+        model = nmgs.fit(shape)
+    except nmgs.BlockingError:
+        pytest.skip("no strategy for it")
+    errors = []
+    for factor in (1, 2):
+        model.divisions = np.array(model.divisions * factor, np.int32)
+        mesh = model.generate()
+        cells = mesh.cells["hexahedron"]
+        assert len(cells) < 8 * 250_000
+        volume = hexahedron_volumes(mesh.points, cells).sum()
+        errors.append(abs(volume - shape.Volume) / shape.Volume)
+    assert errors[0] < 0.01
+    assert errors[1] < 0.3 * errors[0] + 1e-9  # second order

@@ -67,8 +67,7 @@ def test_solid_to_blocks_to_hexahedra_saved_and_reopened(document, box, tmp_path
     process_events()
     assert "StructuredMesh" not in tree_labels()
     again = FreeCAD.openDocument(path)
-    process_events()
-    assert {"Box", "Blocks", "StructuredMesh"} <= set(tree_labels())
+    wait_until(lambda: {"Box", "Blocks", "StructuredMesh"} <= set(tree_labels()))
     mesh = again.getObject("StructuredMesh")
     assert content(mesh) == before
     assert mesh.ViewObject.Proxy is not None and mesh.ViewObject.Visibility

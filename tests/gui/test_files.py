@@ -124,9 +124,11 @@ def test_export_panel_writes_a_file(document, files, tmp_path):
     assert message_boxes() == [] and not FreeCADGui.Control.activeDialog()
 
 
-def test_export_of_another_order_and_fewer_groups(document, files, tmp_path):
-    load(files["n3s"])
-    pick(FreeCAD.ActiveDocument.Objects[0])
+def test_export_of_another_order_and_fewer_groups(document, box, tmp_path):
+    pick(box, "Solid1")
+    run("NMGS_FitBlocks")
+    document.getObject("Blocks").Size = 10
+    document.recompute()
     run("NMGS_GenerateMesh")
     mesh = FreeCADGui.Selection.getSelection()[0]
     held = mesh.Proxy.mesh(mesh)
@@ -146,7 +148,7 @@ def test_export_of_another_order_and_fewer_groups(document, files, tmp_path):
     assert widget(QtGui.QLineEdit, "path").text() == str(target)
     press("OK")
     written = nmgs.read(target)
-    assert len(written.cells["hexahedron20"]) == 24
+    assert len(written.cells["hexahedron20"]) == 6
     assert held.groups and not set(written.groups) & set(held.groups)
     # What is in the document stays as it is.
     assert mesh.Proxy.mesh(mesh) is held

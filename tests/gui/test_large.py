@@ -11,7 +11,7 @@ from conftest import pick, process_events, run, screenshot, wait_until
 from PySide import QtCore
 
 from freecad.NMGSWorkbench import nmgs
-from freecad.NMGSWorkbench.objects import imported_mesh, make, mesh_base, structured_mesh
+from freecad.NMGSWorkbench.objects import imported_mesh, make, preferences, structured_mesh
 from freecad.NMGSWorkbench.objects.run import run as run_job
 
 SIDE = 40  # elements, 64000 in all: more than FreeCAD's view is given at once
@@ -23,7 +23,7 @@ def large(document):
     mesh = structured_mesh.make(document)
     mesh.Blocks = blocks
     document.recompute()
-    assert mesh.Proxy.failure is None and SIDE**3 > mesh_base.MOST_FILLED
+    assert mesh.Proxy.failure is None and SIDE**3 > preferences.most_filled()
     return mesh
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from ..objects import structured_mesh
 from ..objects.blocking import Blocking
+from ..taskpanels.messages import warn_of_quality
 from . import selection
 from .base import Command
 
@@ -28,6 +29,9 @@ class GenerateMesh(Command):
             made = structured_mesh.make(document)
             made.Blocks = blocks
             self.computed(made)
+            warn_of_quality(self.menu_text, made)
+            # The mesh would be covered with them.
+            blocks.ViewObject.ShowCounts = False
             # The mesh lies in the surfaces of the part and would not be seen behind them.
             for part, _ in blocks.Source:
                 part.Visibility = False

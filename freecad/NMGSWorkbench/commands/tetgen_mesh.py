@@ -9,8 +9,9 @@ from typing import Any
 import FreeCAD
 
 from ..nmgs.tetgen import TetOptions
-from ..objects import tetgen_mesh
+from ..objects import preferences, tetgen_mesh
 from ..objects.base import DocumentObject
+from ..taskpanels.messages import warn_of_quality
 from . import selection
 from .base import Command
 
@@ -32,7 +33,9 @@ class TetGenMesh(Command):
         obj = tetgen_mesh.make(document)
         obj.Source = source
         obj.Switches = suggested_switches(source)
+        obj.TimeLimit = preferences.time_limit()
         self.computed(obj)
+        warn_of_quality(self.menu_text, obj)
         for part, _ in source:
             part.Visibility = False
         return obj

@@ -64,6 +64,9 @@ def make(name: str) -> Any:
             failure = getattr(getattr(obj, "Proxy", None), "failure", None)
             if failure is not None:
                 raise failure
+            # Counts on the edges would cover the mesh.
+            if hasattr(obj, "Divisions") and hasattr(obj.ViewObject, "ShowCounts"):
+                obj.ViewObject.ShowCounts = False
     except BaseException:
         FreeCAD.closeDocument(document.Name)
         raise

@@ -15,6 +15,7 @@ import numpy as np
 from .atomic import replaced_file
 from .mesh import CELL_TYPES, Mesh
 from .meshio_files import read_mesh
+from .text_sections import reader
 from .text_rows import write_rows, write_wrapped
 
 __all__ = ["ELEMENT_TYPES", "read_inp", "write_inp"]
@@ -67,6 +68,7 @@ _FACES: Dict[str, tuple] = {
 _SOLID_CORNERS = {"tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
 
 
+@reader
 def read_inp(path: str) -> Mesh:
     """Cells and sets. Pyramids that were written as collapsed hexahedra are pyramids again.
 

@@ -3,14 +3,18 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
-from . import _kernel
+import numpy as np
+
+from . import _kernel, tet_to_hexas
 from .block_model import BlockModel, CadLink
-from .errors import BlockingError, GeometryError
+from .errors import BlockingError, GeometryError, TetGenError
 
 #: Strategies by name; "auto" takes the best.
-METHODS = ("auto", "mapped", "primitive", "submap", "sweep", "mid-point", "ring", "general")
+SOLID_METHODS = ("auto", "mapped", "primitive", "submap", "sweep", "mid-point", "cut", "tet-to-hex")
+FACE_METHODS = ("auto", "mapped", "mid-point", "ring", "general")
+METHODS = SOLID_METHODS + FACE_METHODS[3:]
 
 
 def fit(
@@ -21,15 +25,18 @@ def fit(
     progress: Optional[Callable[[float], Any]] = None,
     entities: Optional[Sequence[str]] = None,
 ) -> BlockModel:
-    """Blocks over CAD: 8-node patches over faces with four sides, or 20-node blocks in solids with
-    six such faces.
+    """Blocks over CAD: 20-node blocks in solids, or 8-node patches over faces.
 
     shape: a Part.Shape, a list of them, or a document object. Solids are filled if it has any, else
     its faces are covered. size: wanted length of an element's edge; None for a thirtieth of the
-    shape's diagonal. tolerance: blocks are halved until no face of theirs is farther than this
-    from its CAD face; None for a thousandth of the diagonal. What was reached is in the report.
+    shape's diagonal, finer by curvature, coarser where that makes too many cells. tolerance: blocks
+    are halved until no face of theirs is farther than this from its CAD face, or there are
+    thousands; None for a thousandth of the diagonal. What was reached is in the report.
+    method: one of METHODS. "auto" takes the structured strategy with the best blocks and, where
+    none applies, tet-to-hex, which splits tetrahedra. Solids that share faces share nodes: either
+    all of them are structured, or none.
     entities: only these, all faces ("Face3", ...) or all solids ("Solid1", ...).
-    The model's report has an entry a face or solid.
+    The model's report has an entry a face or solid: method, and in words why no other applies.
     Raises GeometryError when the shape is empty or not valid, BlockingError when no block could be
     made, ValueError.
     """
@@ -45,7 +52,12 @@ def fit(
     kernel = _kernel.cad()
     cad_shape = kernel.CadShape(brep_bytes(part))
     accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
-    raw = kernel.fit(cad_shape, dimension, indices, accepted, method, progress)
+    if dimension == 3 and method == tet_to_hexas.METHOD:
+        raw = tet_to_hexas.fill(cad_shape, indices, accepted, progress)
+    else:
+        raw = kernel.fit(cad_shape, dimension, indices, accepted, method, progress)
+        if dimension == 3 and method == "auto":
+            raw = _with_tets(cad_shape, raw, accepted, progress)
     report = raw["report"]
     if not len(raw["nodes"]):
         names = [entry["entity"] for entry in report]
@@ -54,9 +66,92 @@ def fit(
 
     model = BlockModel(raw["nodes"], 1)
     model.cad = CadLink(cad_shape, raw["offsets"], raw["entities"], raw["corners"])
-    model.set_divisions(cad_shape.diagonal / 30 if size is None else float(size))
+    if size is None:
+        default_divisions(model)
+    else:
+        model.set_divisions(float(size))
     model.report = report
     return model
+
+
+def default_divisions(model: BlockModel) -> None:
+    """Divisions for a fitted model when no size is given: elements no longer than a thirtieth of
+    the shape's diagonal that turn by ten degrees at most, and no more than 200 000 of them."""
+    link: CadLink = model.cad  # type: ignore[assignment]
+    model.divisions = _kernel.core().default_divisions(
+        model.nodes, model.divisions, link.shape.diagonal / 30, corners=link.corners
+    )
+
+
+def _with_tets(
+    shape: Any,
+    raw: Dict[str, Any],
+    tolerance: float,
+    progress: Optional[Callable[[float], Any]],
+) -> Dict[str, Any]:
+    """Fills the solids that no structured strategy did, one group of solids that share faces after
+    the other. A group that TetGen cannot do either keeps its reasons, and gains one."""
+    left = [entry for entry in raw["report"] if not entry["method"]]
+    parts = [raw]
+    for group in _joined(shape, [int(entry["entity"][5:]) for entry in left]):
+        entries = [entry for entry in left if int(entry["entity"][5:]) in group]
+        try:
+            filled = tet_to_hexas.fill(shape, group, tolerance, progress)
+        except (BlockingError, GeometryError, TetGenError) as error:
+            for entry in entries:
+                entry["reason"] += f"; {tet_to_hexas.METHOD}: {error}"
+            continue
+        reasons = {entry["entity"]: entry["reason"] for entry in entries}
+        blockers = {entry["entity"]: entry["blockers"] for entry in entries}
+        for entry in filled["report"]:
+            entry["reason"] = reasons[entry["entity"]]
+            entry["blockers"] = blockers[entry["entity"]]
+        parts.append(filled)
+    return raw if len(parts) == 1 else _joined_fits(parts)
+
+
+def _joined(shape: Any, solids: Sequence[int]) -> List[List[int]]:
+    """Groups of solids that are linked by shared faces."""
+    groups: List[Tuple[set, List[int]]] = []
+    for solid in solids:
+        faces = {face for face, _ in _kernel.cad().solid_faces(shape, solid)}
+        members = [solid]
+        apart = []
+        for known, others in groups:
+            if known & faces:
+                faces |= known
+                members += others
+            else:
+                apart.append((known, others))
+        groups = apart + [(faces, members)]
+    return [sorted(members) for _, members in groups]
+
+
+def _joined_fits(parts: Sequence[Dict[str, Any]]) -> Dict[str, Any]:
+    """Several answers of the kernel's fit() as one; the report in the solids' order."""
+    entries: Dict[str, Dict[str, Any]] = {}
+    blocks = points = ends = 0
+    offsets, corners = [np.zeros(1, np.int32)], []
+    for part in parts:
+        for entry in part["report"]:
+            if entry["method"]:
+                entry["first_block"] += blocks
+            if entry["method"] or entry["entity"] not in entries:
+                entries[entry["entity"]] = entry
+        if not len(part["nodes"]):
+            continue
+        offsets.append(part["offsets"][1:] + ends)
+        corners.append(part["corners"] + points)
+        blocks += len(part["nodes"])
+        ends += len(part["entities"])
+        points += int(part["corners"].max()) + 1
+    return {
+        "nodes": np.concatenate([part["nodes"] for part in parts if len(part["nodes"])]),
+        "offsets": np.concatenate(offsets),
+        "entities": np.concatenate([part["entities"] for part in parts]),
+        "corners": np.concatenate(corners),
+        "report": sorted(entries.values(), key=lambda entry: int(entry["entity"][5:])),
+    }
 
 
 def as_shape(source: Any) -> Any:

@@ -17,12 +17,15 @@ from .gmsh_types import POINT, TYPES
 from .group_partition import numbers_by_dimension, partition
 from .mesh import CELL_TYPES, Mesh
 from .meshio_files import mesh_of_meshio, raw_mesh
+from .text_sections import reader
 from .text_rows import slices, write_rows
 
 
+@reader
 def read_msh(path: str) -> Mesh:
-    """Cells, and physical groups by their names; a group of points is one of nodes. Text of versions
-    2.2 and 4.1 by gmsh_reader, all else by meshio. Raises FormatError, FileNotFoundError."""
+    """Cells, and physical groups by their names; a group of points is one of nodes. Text of
+    versions 2.2 and 4.1 by gmsh_reader, all else by meshio. Raises FormatError, FileNotFoundError.
+    """
     if text_version(path) in ("2.2", "4.1"):
         return _without_repeats(read_text(path))
     return mesh_of_meshio(path, raw_mesh(path, "gmsh"))

@@ -15,6 +15,14 @@ FORMATS: Dict[str, Tuple[str, str, str]] = {
     "msh": ("gmsh_file", "read_msh", "write_msh41"),
     "msh22": ("gmsh_file", "read_msh", "write_msh22"),
     "msh41": ("gmsh_file", "read_msh", "write_msh41"),
+    "unv": ("unv_file", "read_unv", "write_unv"),
+    "su2": ("su2_file", "read_su2", "write_su2"),
+    "elmer": ("elmer_files", "read_elmer", "write_elmer"),
+    "gid": ("gid_file", "read_gid", "write_gid"),
+    "post.msh": ("gid_file", "read_gid", "write_gid"),
+    "med": ("med_file", "read_med", "write_med"),
+    "polymesh": ("openfoam_files", "read_polymesh", "write_polymesh"),
+    "blockmeshdict": ("blockmesh_file", "", "write_blockmesh"),
     "n2s": ("nmgs_files", "read_n2s", "write_n2s"),
     "n3s": ("nmgs_files", "read_n3s", "write_n3s"),
     "n2r": ("nmgs_files", "read_n2r", "write_n2r"),
@@ -30,18 +38,26 @@ FORMATS: Dict[str, Tuple[str, str, str]] = {
     "ele.gid": ("tetgen_files", "read_ele_gid", "write_ele_gid"),
     "off": ("surface_files", "read_off", "write_off"),
     "stl": ("surface_files", "read_stl", "write_stl"),
-    "ply": ("surface_files", "read_surface", ""),
+    "ply": ("surface_files", "read_surface", "write_ply"),
     "mesh": ("surface_files", "read_medit", ""),
-    "obj": ("surface_files", "read_surface", ""),
+    "obj": ("obj_file", "read_obj", "write_obj"),
+    "bdf": ("nastran_file", "read_nastran", "write_nastran"),
+    "nas": ("nastran_file", "read_nastran", "write_nastran"),
 }
+
+
+#: Formats of files and folders that have a name instead of an extension.
+NAMED = ("polymesh", "blockmeshdict")
 
 
 def _format_of(path: str, format: Optional[str]) -> str:
     if format is not None:
-        if format not in FORMATS:
+        if format.lower() not in FORMATS:
             raise ValueError(f"format: no such format {format!r}; known: {', '.join(FORMATS)}")
-        return format
-    name = os.path.basename(path).lower()
+        return format.lower()
+    name = os.path.basename(path.rstrip("/" + os.sep)).lower()
+    if name in NAMED:
+        return name
     # The longest extension wins: "part.face.gid" is of format "face.gid".
     for known in sorted(FORMATS, key=len, reverse=True):
         if name.endswith("." + known):

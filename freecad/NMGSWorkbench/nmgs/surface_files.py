@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _kernel
 from .errors import FormatError
+from .facets import flat_surface
 from .mesh import CELL_TYPES, Mesh
 from .plc import PLC
 from .tetgen_files import as_plc
@@ -142,5 +143,22 @@ def write_off(path: str, source: Any) -> None:
 
 
 def write_stl(path: str, source: Any, binary: bool = True) -> None:
-    """Triangles; binary=False writes text, which holds double precision."""
+    """Triangles; binary=False writes text, which holds double precision. Of a volume mesh its
+    boundary, of quadratic faces flat pieces, of quads two triangles. Raises ValueError for a mesh
+    without faces, and for facets of a PLC that are no triangles."""
+    if isinstance(source, Mesh):
+        source = flat_surface(source).split()
     _kernel.core().write_stl(path, as_plc(source), binary)
+
+
+def write_ply(path: str, mesh: Mesh) -> None:
+    """Triangles and quads, binary, by meshio; of a volume mesh its boundary, of quadratic faces
+    flat pieces. The format has no groups. Raises ValueError for a mesh without faces."""
+    import meshio
+
+    from .atomic import temporary_beside
+
+    surface = flat_surface(mesh)
+    with temporary_beside(path) as temporary:
+        raw = meshio.Mesh(surface.points, list(surface.cells.items()))
+        meshio.write(temporary, raw, file_format="ply")

@@ -3,11 +3,27 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterator, List
+import functools
+from typing import Any, Callable, Iterator, List
 
 import numpy as np
 
 from .errors import FormatError
+
+
+def reader(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A reader whose stumbles over nonsense are FormatErrors that name the file."""
+
+    @functools.wraps(function)
+    def read(path: str, *arguments: Any, **options: Any) -> Any:
+        try:
+            return function(path, *arguments, **options)
+        except FormatError:
+            raise
+        except (ValueError, IndexError, KeyError, TypeError, OverflowError) as error:
+            raise FormatError(f"{path}: not what the format says: {error}", path) from error
+
+    return read
 
 
 class Lines:

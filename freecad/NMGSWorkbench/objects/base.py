@@ -8,7 +8,7 @@ from typing import Any, List, Optional, Sequence, Tuple
 
 import FreeCAD
 
-from . import stale
+from . import reattach, stale
 
 stale.watch()
 #: Version of the properties written into documents; raised when their meaning changes.
@@ -23,6 +23,16 @@ _SCHEMA: Property = (
     "NMGS",
     "Version of these properties",
     SCHEMA_VERSION,
+    2,
+)
+
+
+_CLASS: Property = (
+    "App::PropertyString",
+    "ProxyClass",
+    "NMGS",
+    "Python class, for a FreeCAD that has found the workbench again",
+    None,
     2,
 )
 
@@ -63,6 +73,9 @@ class DocumentObject:
 
     def _add_properties(self, obj: Any) -> None:
         add_properties(obj, (_SCHEMA, *self.properties))
+        add_properties(obj, (_CLASS,))
+        if not obj.ProxyClass:
+            obj.ProxyClass = reattach.name_of(self)
         stale.add_property(obj)
         # Everything lies where its nodes are; a recompute takes any other placement back.
         obj.setEditorMode("Placement", 2)

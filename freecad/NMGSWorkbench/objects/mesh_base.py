@@ -14,7 +14,7 @@ from ..fem import ask
 from ..fem.fem_mesh import fem_mesh
 from ..fem.from_fem_mesh import mesh_of
 from ..nmgs.mesh import CELL_TYPES
-from . import mesh_store
+from . import mesh_store, preferences
 from .base import DocumentObject
 from .run import run
 
@@ -47,9 +47,6 @@ FIGURES = (
     ),
     ("App::PropertyString", "Content", "Figures", "Hash of the mesh", None, 2),
 )
-#: In the window, FemMesh of meshes of more elements is filled when FEM asks for it: FreeCAD's view
-#: of it holds the window up for about 10 s a million.
-MOST_FILLED = 50_000
 #: Ends Content while that is so.
 _HELD = ":held"
 
@@ -84,7 +81,8 @@ class MeshObject(DocumentObject):
     def put(self, obj: Any, mesh: nmgs.Mesh) -> None:
         """Makes the mesh obj's own, with its figures."""
         cells = sum(len(nodes) for nodes in mesh.cells.values())
-        late = FreeCAD.GuiUp and cells > MOST_FILLED
+        # FreeCAD's view of a FemMesh holds the window up for about 10 s a million elements.
+        late = FreeCAD.GuiUp and cells > preferences.most_filled()
         # Off the main thread, as all that takes long.
         worst, shown, prepared = run(
             lambda progress: (

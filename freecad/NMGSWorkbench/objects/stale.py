@@ -12,7 +12,8 @@ from typing import Any, Iterator, List
 
 import FreeCAD
 
-PREFERENCES = "User parameter:BaseApp/Preferences/Mod/NMGS"
+from . import preferences
+
 _OUTPUT = 8  # App::Prop_Output: a change of it touches nothing
 _forced = 0
 
@@ -21,7 +22,7 @@ def at_once() -> bool:
     """Whether a recompute computes what is stale; without a window it always does."""
     if _forced or not FreeCAD.GuiUp:
         return True
-    return FreeCAD.ParamGet(PREFERENCES).GetBool("RecomputeAtOnce", True)
+    return preferences.recompute_at_once()
 
 
 @contextlib.contextmanager

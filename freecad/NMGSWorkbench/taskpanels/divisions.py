@@ -54,6 +54,9 @@ class DivisionsPanel(ModelPanel):
                 self._firsts.append((int(found[0][0]), int(found[0][1])))
         self._fill_chains()
         self._enable()
+        # Edges can be picked only where they are seen.
+        self._was_visible = self.obj.Visibility
+        self.obj.Visibility = True
         FreeCADGui.Selection.addObserver(self)
         for pick in FreeCADGui.Selection.getSelectionEx():
             for name in pick.SubElementNames if pick.Object == self.obj else ():
@@ -186,6 +189,8 @@ class DivisionsPanel(ModelPanel):
         from ..viewproviders import block_scene
 
         node = block_scene.separator()
+        if not self.obj.ViewObject.ShowCounts:
+            node.addChild(block_scene.counts(model))
         if self._at[0] >= 0:
             node.addChild(block_scene.chain(model, *self._at, self._senses))
         self.preview.show(node)
@@ -197,6 +202,7 @@ class DivisionsPanel(ModelPanel):
 
     def _close(self) -> None:
         FreeCADGui.Selection.removeObserver(self)
+        self.obj.Visibility = self._was_visible
         super()._close()
 
 

@@ -11,6 +11,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from ..nmgs.errors import Error
+from ..objects import preferences
 
 
 def show_error(title: str, error: BaseException) -> Any:
@@ -33,6 +34,15 @@ def report_left_out(title: str, obj: Any) -> Any:
     text = f"{len(left_out)} of {len(obj.Report)} could not be used; {obj.Label} has the others."
     FreeCAD.Console.PrintWarning("\n".join([f"{title}: {text}", *left_out]) + "\n")
     return _box(title, text, left_out)
+
+
+def warn_of_quality(title: str, obj: Any) -> None:
+    """A line in the report view when the mesh's worst element is below the preference."""
+    worst, bar = obj.WorstScaledJacobian, preferences.warn_below()
+    if obj.ElementCount and worst < bar:
+        FreeCAD.Console.PrintWarning(
+            f"{title}: the worst scaled Jacobian of {obj.Label} is {worst:.3g}, below {bar:.3g}\n"
+        )
 
 
 def _box(title: str, text: str, details: Sequence[str]) -> Any:

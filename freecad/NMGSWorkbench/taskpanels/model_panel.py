@@ -44,6 +44,10 @@ class ModelPanel:
         self._timer.timeout.connect(self.check)
         self.fill()
         self.check()
+        view = FreeCADGui.getDocument(self.document.Name).activeView()
+        if not self.document.Objects and hasattr(view, "viewIsometric"):
+            view.viewIsometric()
+            view.fitAll()
 
     def fill(self) -> None:
         """Widgets as the object, or a new one, has it."""

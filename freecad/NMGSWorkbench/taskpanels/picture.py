@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -63,7 +63,7 @@ class PicturePanel:
             form.title.text(),
             form.axes.isChecked(),
             _BACKGROUNDS[form.background.currentIndex()],
-            (form.width.value(), form.height.value()),
+            (form.picture_width.value(), form.picture_height.value()),
         )
 
     def _print(self) -> None:
@@ -76,7 +76,11 @@ class PicturePanel:
     def accept(self) -> bool:
         form = self.form
         try:
-            write(form.path.text(), (form.width.value(), form.height.value()), self._paint)
+            write(
+                form.path.text(),
+                (form.picture_width.value(), form.picture_height.value()),
+                self._paint,
+            )
         except Exception as error:
             messages.show_error(tr("Picture"), error)
             return False
@@ -109,10 +113,7 @@ def write(path: str, size: Any, paint_it: Any) -> None:
         elif ending == "pdf":
             device = QtGui.QPdfWriter(partial)
             device.setResolution(96)
-            page = QtGui.QPageSize(
-                QtCore.QSizeF(size[0] / 96.0, size[1] / 96.0), QtGui.QPageSize.Inch
-            )
-            device.setPageSize(page)
+            _set_page(device, size)
             device.setPageMargins(QtCore.QMarginsF(0, 0, 0, 0))
         else:
             from PySide import QtSvg
@@ -136,6 +137,15 @@ def write(path: str, size: Any, paint_it: Any) -> None:
             os.remove(partial)
 
 
+def _set_page(device: Any, size: Any) -> None:
+    """Size in pixels of 1/96 inch; Qt 6 has no other way than the one that PySide2 cannot take."""
+    inches = QtCore.QSizeF(size[0] / 96.0, size[1] / 96.0)
+    if hasattr(device, "setPageSizeMM"):
+        device.setPageSizeMM(25.4 * inches)
+    else:
+        device.setPageSize(QtGui.QPageSize(inches, QtGui.QPageSize.Inch))
+
+
 def paint(
     painter: Any,
     box: Any,
@@ -154,10 +164,15 @@ def paint(
     view = FreeCADGui.getDocument(document.Name).activeView()
     if not hasattr(view, "saveImage"):
         raise ValueError("There is no 3D view to take a picture of.")
+    picked = FreeCADGui.Selection.getSelectionEx(document.Name)
+    # What is picked is drawn in the colour of the selection, not in its own.
+    FreeCADGui.Selection.clearSelection(document.Name)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "view.png")
         view.saveImage(path, width, height, background)
         image = QtGui.QImage(path)
+    for pick in picked:
+        FreeCADGui.Selection.addSelection(pick.Object, pick.SubElementNames)
     painter.drawImage(inside, image)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
     font = painter.font()
@@ -190,14 +205,9 @@ def _paint_axes(painter: Any, box: Any, view: Any, document: Any) -> None:
         x, y, _ = volume.projectToScreen(coin.SbVec3f(*(float(c) for c in place))).getValue()
         return QtCore.QPointF(box.left() + x * box.width(), box.bottom() - y * box.height())
 
-    # From the corner whose three edges stand out most: the lowest on the paper.
-    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-    places = low + corners * (high - low)
-    start = places[int(np.argmax([on_paper(p).y() for p in places]))]
     middle = on_paper(0.5 * (low + high))
     for axis in range(3):
-        end = start.copy()
-        end[axis] = low[axis] + high[axis] - start[axis]
+        start, end = _outer_edge(axis, low, high, on_paper, middle)
         colour = QtGui.QColor(*_AXIS_COLOURS[axis])
         painter.setPen(QtGui.QPen(colour, max(0.002 * box.height(), 1.0)))
         painter.drawLine(on_paper(start), on_paper(end))
@@ -208,6 +218,25 @@ def _paint_axes(painter: Any, box: Any, view: Any, document: Any) -> None:
                 words = f"{'xyz'[axis]} = {text}" if share == 0.5 else text
                 _write(painter, box, on_paper(place), middle, words)
             painter.drawEllipse(on_paper(place), 2.0, 2.0)
+
+
+def _outer_edge(
+    axis: int, low: np.ndarray, high: np.ndarray, on_paper: Any, middle: Any
+) -> Tuple[np.ndarray, np.ndarray]:
+    """Of the bounds' four edges along the axis the one farthest out on the paper, lower or left."""
+    best, found = -1.0, (low, high)
+    others = [n for n in range(3) if n != axis]
+    for corner in ((a, b) for a in (0, 1) for b in (0, 1)):
+        start = low.copy()
+        start[others] = [(low, high)[c][n] for c, n in zip(corner, others)]
+        end = start.copy()
+        end[axis] = high[axis]
+        half = on_paper(0.5 * (start + end)) - middle
+        # As far out, the lower and then the left one.
+        far = (half.x() ** 2 + half.y() ** 2) ** 0.5 + 0.01 * half.y() - 0.005 * half.x()
+        if far > best:
+            best, found = far, (start, end)
+    return found
 
 
 def _write(painter: Any, box: Any, place: Any, middle: Any, words: str) -> None:

@@ -24,6 +24,8 @@ class PlotPanel:
     def __init__(self, obj: Any):
         self.obj = obj
         self.view = view = obj.ViewObject
+        # What is picked is drawn in the colour of the selection, not in its own.
+        FreeCADGui.Selection.clearSelection()
         self.form = form = FreeCADGui.PySideUic.loadUi(ui("plot"))
         form.setWindowTitle(tr("Plot of {name}").format(name=obj.Label))
         form.setWindowIcon(QtGui.QIcon(icon("nmgs_plot")))

@@ -37,6 +37,8 @@ class ReportPanel:
             for summary in of_type.values()
         ]
         self._row = -1
+        # What is picked is drawn in the colour of the selection, not in its own.
+        FreeCADGui.Selection.clearSelection()
         self._values: Dict[str, np.ndarray] = {}
         self._coloured_before = obj.ViewObject.ColourBy if self._view else ""
         self.form = FreeCADGui.PySideUic.loadUi(ui("report"))

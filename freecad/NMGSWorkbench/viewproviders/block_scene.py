@@ -32,7 +32,7 @@ def counts(model: BlockModel) -> Any:
     for element, edge in unique_edges(model.nodes)[:MOST_COUNTS]:
         place = curve(model.nodes, element, edge, np.array([0.5]))[0]
         words = str(model.divisions[element, table[edge, 0]])
-        group.addChild(nodes.text(place, words, COUNT))
+        group.addChild(nodes.label(place, words, COUNT))
     return group
 
 
@@ -65,7 +65,7 @@ def chain(model: BlockModel, element: int, direction: int, chains: Dict[str, np.
         way = around[2] - around[0]
         if turned[e, along] != turned[element, direction]:
             way = -way
-        length = min(0.05 * size, 0.3 * float(np.linalg.norm(curves[-1][-1] - curves[-1][0])))
+        length = min(0.07 * size, 0.35 * float(np.linalg.norm(curves[-1][-1] - curves[-1][0])))
         if np.linalg.norm(way) > 0 and length > 0:
             group.addChild(nodes.arrow(around[1], way, length, CHAIN))
     if curves:

@@ -7,6 +7,7 @@ from typing import Any, Tuple
 
 import FreeCAD
 
+from ..objects import preferences
 from ..objects.base import add_properties
 from .base import ViewProvider, later
 
@@ -41,6 +42,7 @@ class BlockingView(ViewProvider):
         vobj.PointColor = (0.60, 0.10, 0.05)
         vobj.LineWidth = 4.0
         vobj.PointSize = 8.0
+        vobj.ShowCounts = preferences.show_counts()
 
     def attach(self, vobj: Any) -> None:
         super().attach(vobj)

@@ -10,7 +10,7 @@ import numpy as np
 from pivy import coin
 
 
-def zoom_to(points: np.ndarray, document: Any, slack: float = 3.0) -> None:
+def zoom_to(points: np.ndarray, document: Any, slack: float = 1.6) -> None:
     """Shows the points (N, 3) and `slack` times as much round them, from where the view looks."""
     view = _view(document)
     if view is None or not len(points):

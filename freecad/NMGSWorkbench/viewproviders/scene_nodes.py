@@ -125,6 +125,30 @@ def text(place: Sequence[float], words: str, colour: Colour, size: float = 14.0)
     return node
 
 
+def label(place: Sequence[float], words: str, colour: Colour) -> Any:
+    """Words on a light plate at a place, where FreeCAD has its node for that; else plain text."""
+    kind = coin.SoType.fromName("SoFrameLabel")
+    if kind.isBad():
+        return text(place, words, colour)
+    node = coin.SoSeparator()
+    move = coin.SoTranslation()
+    move.translation.setValue(*(float(c) for c in place))
+    plate = kind.createInstance()
+    # Its class is FreeCAD's own, so that pivy knows its fields by name alone.
+    for field, value in (
+        ("string", f'"{words}"'),
+        ("textColor", "{} {} {}".format(*colour)),
+        ("backgroundColor", "1 1 0.92"),
+        ("size", "13"),
+        ("frame", "TRUE"),
+    ):
+        if plate.getField(field) is not None:
+            plate.getField(field).set(value)
+    node.addChild(move)
+    node.addChild(plate)
+    return node
+
+
 def base_colour(colour: Colour) -> Any:
     node = coin.SoBaseColor()
     node.rgb.setValue(*colour)
@@ -163,7 +187,7 @@ def arrow(tip: Sequence[float], direction: Sequence[float], length: float, colou
     cone = coin.SoCone()
     cone.height = length
     cone.bottomRadius = 0.28 * length
-    for child in (material(colour), turn, cone):
+    for child in (flat(), base_colour(colour), turn, cone):
         node.addChild(child)
     return node
 
