@@ -136,6 +136,22 @@ double worst_quality(const FaceMesh &mesh) {
     return least;
 }
 
+double worst_avoidable(const FaceMesh &mesh) {
+    constexpr double sharp = 0.35;
+    double least = 1;
+    for (const auto &quad : mesh.quads) {
+        for (std::size_t c = 0; c < 4; ++c) {
+            const FaceMesh::Rim &rim = mesh.rim[static_cast<std::size_t>(quad[c])];
+            const bool whole = mesh.fixed(quad[c]) && rim.angle < sharp &&
+                               quad[(c + 1) % 4] == rim.after && quad[(c + 3) % 4] == rim.before;
+            if (!whole) {
+                least = std::min(least, corner_quality(mesh, quad, c));
+            }
+        }
+    }
+    return least;
+}
+
 void put(const FaceMesh &mesh, int face, Layout &layout) {
     std::vector<std::int32_t> number = mesh.layout_point;
     std::vector<char> used(mesh.points.size(), 0);

@@ -46,6 +46,9 @@ double corner_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &q
 // The least over the corners.
 double quad_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad);
 double worst_quality(const FaceMesh &mesh);
+// The same without the corners of the face that are sharper than about 20 degrees: no layout can
+// do anything about these.
+double worst_avoidable(const FaceMesh &mesh);
 
 // Puts the nodes inside and the quads into the layout.
 void put(const FaceMesh &mesh, int face, Layout &layout);
