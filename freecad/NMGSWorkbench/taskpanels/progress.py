@@ -12,7 +12,6 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from ..nmgs.errors import Cancelled
 from ..objects import run
 from ..texts import tr
 
@@ -120,6 +119,8 @@ def run_behind_dialog(job: run.Job, text: str) -> Any:
     finally:
         sys.setswitchinterval(interval)
     if worker.cancelled:
+        from ..nmgs.errors import Cancelled  # only here: it imports NumPy and Part
+
         raise Cancelled(f"{text}: cancelled")
     if worker.error is not None:
         raise worker.error

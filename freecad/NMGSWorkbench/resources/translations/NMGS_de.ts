@@ -244,6 +244,10 @@
         <translation>Ein Stab als quadratische Hexaeder in einer Analyse mit Lager und Last, zum Lösen bereit.</translation>
     </message>
     <message>
+        <source>Making the FEM mesh</source>
+        <translation>Das FEM-Netz wird gemacht</translation>
+    </message>
+    <message>
         <source>Fitting</source>
         <translation>Anpassung läuft</translation>
     </message>

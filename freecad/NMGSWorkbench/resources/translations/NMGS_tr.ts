@@ -244,6 +244,10 @@
         <translation>Mesnet ve yük içeren bir analizde karesel altıyüzlülerle bir çubuk, çözülmeye hazır.</translation>
     </message>
     <message>
+        <source>Making the FEM mesh</source>
+        <translation>FEM ağı hazırlanıyor</translation>
+    </message>
+    <message>
         <source>Fitting</source>
         <translation>Oturtuluyor</translation>
     </message>
