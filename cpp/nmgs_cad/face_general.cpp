@@ -227,7 +227,7 @@ std::optional<FaceMesh> attempt(const FaceSurface &surface,
     }
     clean_up_quads(mesh, surface);
     smooth_quads(mesh, surface, 8, 20);
-    return worst_avoidable(mesh) >= worst_avoidable(plain) ? mesh : plain;
+    return worst_avoidable(mesh, surface) >= worst_avoidable(plain, surface) ? mesh : plain;
 }
 
 } // namespace
@@ -254,7 +254,7 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
         if (!mesh) {
             continue;
         }
-        const double quality = worst_avoidable(*mesh);
+        const double quality = worst_avoidable(*mesh, surface);
         tried += mesh->quads.size();
         if (quality > best_quality) {
             best_quality = quality;

@@ -108,10 +108,10 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     double best_quality = -2;
     const auto consider = [&](std::optional<FaceMesh> mesh, const char *name) {
         if (mesh) {
-            const double q = worst_avoidable(*mesh);
+            const double q = worst_avoidable(*mesh, surface);
             if (q > best_quality) {
                 best_quality = q;
-                quality = worst_quality(*mesh);
+                quality = std::min(worst_quality(*mesh), curved_quality(*mesh, surface));
                 method = name;
                 best = std::move(mesh);
             }

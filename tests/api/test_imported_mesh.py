@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mesh out of another program's file can be split, reported, raised, refined and written again."""
+"""A mesh out of a file of another program can be split, reported, raised and refined."""
 
 import numpy as np
 import pytest
