@@ -153,6 +153,7 @@ def test_a_ball_has_no_four_sided_face(document):
     ball = document.addObject("Part::Sphere", "Ball")
     document.recompute()
     obj = patches.make(document)
+    obj.Method = "mapped"
     obj.Source = [(ball, ("Face1",))]
     document.recompute()
     assert not obj.isValid()

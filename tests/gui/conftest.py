@@ -8,6 +8,7 @@ import time
 import FreeCAD
 import FreeCADGui
 import pytest
+import similarity
 from PySide import QtCore, QtGui
 
 
@@ -28,6 +29,10 @@ def wait_until(condition, seconds: float = 10.0) -> None:
 
 @pytest.fixture(scope="session", autouse=True)
 def workbench():
+    # The report view would come and go with each message, and the pictures with it.
+    output = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/OutputWindow")
+    for what in ("Error", "Warning", "NormalMessage", "LogMessage"):
+        output.SetBool(f"checkShowReportViewOn{what}", False)
     FreeCADGui.activateWorkbench("NMGSWorkbench")
     # A first start's side bar is narrower than the buttons of a panel.
     window = FreeCADGui.getMainWindow()
@@ -126,15 +131,40 @@ def content(obj):
     return nodes, elements, groups
 
 
+#: Pictures that were looked at and found good, of this FreeCAD; others look different.
+STORED = pathlib.Path(__file__).parent / "pictures"
+STORED_FOR = ("0", "20")
+ALIKE = 0.75
+
+
 def screenshot(name: str) -> None:
-    """The whole window into the folder for pictures, if there is one."""
+    """The whole window into the folder for pictures, if there is one; compared with a stored one.
+
+    NMGS_STORE_PICTURES=1 stores it instead, where there is a stored one.
+    """
     folder = os.environ.get("NMGS_SCREENSHOTS")
-    if folder:
-        FreeCADGui.SendMsgToActiveView("ViewFit")
-        process_events(300)
-        # The screen, not the widget: only the screen has the 3D view.
-        picture = QtGui.QApplication.primaryScreen().grabWindow(0)
-        assert picture.save(str(pathlib.Path(folder) / f"{name}.png"))
+    if not folder:
+        return
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    process_events(300)
+    # The screen, not the widget: only the screen has the 3D view.
+    picture = QtGui.QApplication.primaryScreen().grabWindow(0)
+    assert picture.save(str(pathlib.Path(folder) / f"{name}.png"))
+    stored = STORED / f"{name}.png"
+    if not stored.is_file() or tuple(FreeCAD.Version()[:2]) != STORED_FOR:
+        return
+    image = picture.toImage()
+    if os.environ.get("NMGS_STORE_PICTURES"):
+        small = image.scaled(
+            similarity.WIDTH,
+            similarity.HEIGHT,
+            QtCore.Qt.IgnoreAspectRatio,
+            QtCore.Qt.SmoothTransformation,
+        )
+        assert small.convertToFormat(QtGui.QImage.Format_Grayscale8).save(str(stored))
+        return
+    alike = similarity.similarity(image, QtGui.QImage(str(stored)))
+    assert alike > ALIKE, f"{name}: {alike:.2f} like the stored picture"
 
 
 @pytest.fixture

@@ -21,6 +21,7 @@ _STOPS = np.array(
     ]
 )
 _NOTHING = np.array((0.6, 0.6, 0.6))
+_INK: nodes.Colour = (0.05, 0.05, 0.05)
 _BANDS = 40
 #: Height of the legend, its widths and place, in halves of the view's height.
 _BOTTOM, _TOP, _LEFT, _WIDTH = -0.6, 0.6, 0.06, 0.06
@@ -69,15 +70,10 @@ def legend(title: str, low: float, high: float, larger_is_better: bool) -> Any:
         bar.addChild(child)
     for child in (camera, nodes.unpickable(), bar):
         overlay.addChild(child)
+    # On plates, to be read before a dark view as well as on white paper.
     for value, words in ticks(low, high):
         height = _BOTTOM + (value - low) / ((high - low) or 1.0) * (_TOP - _BOTTOM)
-        overlay.addChild(_label((right + 0.02, height - 0.02, 0.0), words))
-    overlay.addChild(_label((left, _TOP + 0.05, 0.0), title))
+        overlay.addChild(nodes.label((right + 0.02, height - 0.025, 0.0), words, _INK))
+    overlay.addChild(nodes.label((left, _TOP + 0.06, 0.0), title, _INK))
     root.addChild(overlay)
     return root
-
-
-def _label(place: Tuple[float, float, float], words: str) -> Any:
-    label = nodes.text(place, words, (0.05, 0.05, 0.05), 13.0)
-    label.getChild(4).justification = coin.SoText2.LEFT
-    return label
