@@ -267,7 +267,7 @@ def test_a_rib_on_a_skin(divisions):
 
 
 def test_patches_that_overlap_in_a_narrow_strip():
-    only_problem(blocks(unit_square(), unit_square((0.97, 0.3, 0))), "overlap", "Block1", "Block2")
+    only_problem(blocks(unit_square(), unit_square((0.91, 0.3, 0))), "overlap", "Block1", "Block2")
 
 
 def test_blocks_that_overlap_at_a_corner_only():

@@ -214,9 +214,11 @@ std::optional<Contact> segment_inside(const Part &edge, const Part &patch, doubl
         const Foot foot = foot_on(patch, middle);
         if (foot.inside && foot.distance <= limit && std::abs(foot.xi) < 1 - 1e-6 &&
             std::abs(foot.eta) < 1 - 1e-6) {
-            // Patches that lie on each other overlap; others stand on each other.
-            const Foot further = foot_on(patch, edge.out[1]);
-            const bool flat = further.inside && further.distance <= limit;
+            // Patches that go on in each other's plane overlap; others stand on each other.
+            const Vec3 further = edge.out[1] - edge.out[0];
+            const auto tangents = quad8::tangents(patch.nodes, foot.xi, foot.eta);
+            const Vec3 normal = cross(tangents.xi, tangents.eta);
+            const bool flat = std::abs(dot(further, normal)) <= 0.02 * norm(further) * norm(normal);
             return Contact{edge.block,    patch.block, edge.code, patch.code,
                            foot.distance, middle,      flat};
         }
