@@ -92,11 +92,10 @@ def test_what_tetgen_refuses_is_a_message(document):
 
 
 def test_faces_that_cross_are_selected(document):
-    """A solid made by force: two boxes that go through each other, as one shell."""
+    """Two boxes that go through each other."""
     boxes = [Part.makeBox(2, 2, 2), Part.makeBox(2, 2, 2, FreeCAD.Vector(1, 1, 1))]
-    shell = Part.Shell([face for box in boxes for face in box.Faces])
     part = document.addObject("Part::Feature", "Crossing")
-    part.Shape = Part.Solid(shell)
+    part.Shape = Part.makeCompound(boxes)
     document.recompute()
     mesh = tetgen_mesh.make(document)
     mesh.Source = [(part, ("",))]
