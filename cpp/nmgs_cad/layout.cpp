@@ -91,18 +91,11 @@ struct Curves {
     }
 };
 
-int part_of_node(int dimension, std::size_t n) {
-    const auto digit = [](double natural) { return static_cast<int>(natural) + 1; };
-    return dimension == 2 ? part::code(digit(quad8::natural[n][0]), digit(quad8::natural[n][1]), 0)
-                          : part::code(digit(hexa20::natural[n][0]), digit(hexa20::natural[n][1]),
-                                       digit(hexa20::natural[n][2]));
-}
-
 // The corner of a block at the given ends (0 or 2) of its directions.
 std::size_t corner_at(int dimension, std::array<int, 3> digits) {
     const std::size_t count = dimension == 2 ? 4 : 8;
     for (std::size_t n = 0; n < count; ++n) {
-        if (part_of_node(dimension, n) == part::code(digits[0], digits[1], digits[2])) {
+        if (part::of_node(dimension, n) == part::code(digits[0], digits[1], digits[2])) {
             return n;
         }
     }
@@ -155,7 +148,7 @@ void append(const Curves &curves, std::span<const std::int32_t> corners, int own
         }
     }
     for (std::size_t n = 0; n < (dimension == 2 ? 8U : 20U); ++n) {
-        blocks.model.nodes.push_back(place[static_cast<std::size_t>(part_of_node(dimension, n))]);
+        blocks.model.nodes.push_back(place[static_cast<std::size_t>(part::of_node(dimension, n))]);
     }
     blocks.model.corners.insert(blocks.model.corners.end(), corners.begin(), corners.end());
     blocks.model.divisions.push_back({1, 1, dimension == 3 ? 1 : 0});

@@ -23,14 +23,6 @@ Vec3 vertex_point(const CadShape &shape, int n) {
     return {p.X(), p.Y(), p.Z()};
 }
 
-// Lattice digits of the element's corner and mid-edge nodes, from their natural coordinates.
-int part_of_node(int dimension, std::size_t n) {
-    const auto digit = [](double natural) { return static_cast<int>(natural) + 1; };
-    return dimension == 2 ? part::code(digit(quad8::natural[n][0]), digit(quad8::natural[n][1]), 0)
-                          : part::code(digit(hexa20::natural[n][0]), digit(hexa20::natural[n][1]),
-                                       digit(hexa20::natural[n][2]));
-}
-
 // Puts a block's nodes and binding behind those that are there. on[p] are the entities of part p.
 void append(CadBlocks &blocks, std::span<const Vec3> nodes,
             const std::array<std::vector<CadEntity>, part::count> &on) {
@@ -66,8 +58,8 @@ void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks) {
     for (std::size_t i = 0; i < 4; ++i) {
         nodes[i] = vertex_point(shape, sides->corner[i]);
         nodes[4 + i] = EdgeCurve(shape.edge(sides->edge[i])).at(0.5);
-        on[static_cast<std::size_t>(part_of_node(2, i))] = {{0, sides->corner[i]}};
-        on[static_cast<std::size_t>(part_of_node(2, 4 + i))] = {{1, sides->edge[i]}};
+        on[static_cast<std::size_t>(part::of_node(2, i))] = {{0, sides->corner[i]}};
+        on[static_cast<std::size_t>(part::of_node(2, 4 + i))] = {{1, sides->edge[i]}};
     }
     on[static_cast<std::size_t>(part::code(1, 1, 0))] = {{2, face}};
 
@@ -115,7 +107,7 @@ bool make_parts(const SolidSides &sides, int bottom, std::size_t start, bool ins
         }
     }
     for (std::size_t n = 0; n < 8; ++n) {
-        parts[static_cast<std::size_t>(part_of_node(3, n))] = corner[n];
+        parts[static_cast<std::size_t>(part::of_node(3, n))] = corner[n];
     }
     constexpr std::array<std::array<std::size_t, 2>, 12> ends{{{0, 1},
                                                                {1, 2},
@@ -134,7 +126,7 @@ bool make_parts(const SolidSides &sides, int bottom, std::size_t start, bool ins
         if (found == sides.edge.end()) {
             return false;
         }
-        parts[static_cast<std::size_t>(part_of_node(3, 8 + e))] = found->second;
+        parts[static_cast<std::size_t>(part::of_node(3, 8 + e))] = found->second;
     }
     // A face is the one that has all four edges of the block's face.
     for (int code = 0; code < part::count; ++code) {
@@ -178,7 +170,7 @@ double alignment(std::span<const Vec3, 20> nodes) {
 std::array<Vec3, 20> nodes_of(const CadShape &shape, const BlockParts &parts) {
     std::array<Vec3, 20> nodes{};
     for (std::size_t n = 0; n < 20; ++n) {
-        const int index = parts[static_cast<std::size_t>(part_of_node(3, n))];
+        const int index = parts[static_cast<std::size_t>(part::of_node(3, n))];
         nodes[n] = n < 8 ? vertex_point(shape, index) : EdgeCurve(shape.edge(index)).at(0.5);
     }
     return nodes;
@@ -189,7 +181,7 @@ bool add_block(const CadShape &shape, int solid, const SolidSides &sides, const 
                Layout &layout, Refusal &refusal) {
     Layout::Hexa hexa{{}, solid};
     for (std::size_t n = 0; n < 8; ++n) {
-        hexa.points[n] = layout.vertex(shape, parts[static_cast<std::size_t>(part_of_node(3, n))]);
+        hexa.points[n] = layout.vertex(shape, parts[static_cast<std::size_t>(part::of_node(3, n))]);
     }
     for (const auto &[ends, edge] : sides.edge) {
         if (layout.divide_edge(shape, edge, {}).size() != 2) {

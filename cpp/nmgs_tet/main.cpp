@@ -10,8 +10,12 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string>
+#include <system_error>
 
 namespace {
 
@@ -25,6 +29,20 @@ constexpr int input_code = 10;
 constexpr int protocol_code = 101;
 
 int answer_descriptor = -1;
+
+// TetGen writes the facets that it leaves out into two files; nobody reads them.
+const std::string &left_out_files() {
+    static const std::string prefix =
+        std::filesystem::temp_directory_path().string() + "/nmgs-tet-" + std::to_string(::getpid());
+    return prefix;
+}
+
+void remove_left_out_files() {
+    for (const char *ending : {"_skipped.node", "_skipped.face", "_skipped_skipped.face"}) {
+        std::error_code ignored;
+        std::filesystem::remove(left_out_files() + ending, ignored);
+    }
+}
 
 // Ends the process once all is said. Neither destructors nor exit handlers run: freeing a large
 // mesh piece by piece takes longer than the system does.
@@ -51,6 +69,9 @@ void run(const Request &request) {
     tetgenbehavior behavior;
     if (!behavior.parse_commandline(switches.data())) {
         throw input_code;
+    }
+    if (left_out_files().size() < sizeof behavior.outfilename) {
+        std::strcpy(behavior.outfilename, left_out_files().c_str());
     }
     // Of an STL file's facets TetGen drops the repeated points early; with -Y its mesh differs.
     if (const std::int32_t *stl = request.ints(In::stl); stl != nullptr && *stl != 0) {
@@ -103,6 +124,7 @@ int main(int argc, char **argv) {
     } catch (const std::exception &e) {
         leave_with_error(internal_code, e.what());
     } catch (int code) { // TetGen's way to stop
+        remove_left_out_files();
         leave_with_error(code, "");
     }
 }

@@ -241,6 +241,54 @@ def test_crossed_bars():
     assert {p.kind for p in model.check()} == {"divisions"}
 
 
+def upright(origin, length, height=1):
+    """A patch on the line along x from the origin, standing on the plane z = const."""
+    nodes = unit_square((0, 0, 0), (length, height))
+    return nodes[:, [0, 2, 1]] + np.asarray(origin, float)
+
+
+@pytest.mark.parametrize("divisions", [4, 5])
+def test_a_rib_on_a_skin(divisions):
+    """An edge inside a patch is joined to nothing, whether the nodes fall together or not."""
+    model = nmgs.BlockModel(
+        np.array([unit_square((0, 0, 0), (4, 2)), upright((0, 1, 0), 4)]), [(4, 2), (divisions, 2)]
+    )
+    problem = only_problem(model, "divisions", "Block1", "Block2")
+    assert "inside" in problem.text
+    assert problem.place[1:] == pytest.approx((1, 0))
+    # Between two patches it is joined, as an edge of both.
+    model = nmgs.BlockModel(
+        np.array(
+            [unit_square((0, 0, 0), (4, 1)), unit_square((0, 1, 0), (4, 1)), upright((0, 1, 0), 4)]
+        ),
+        [(4, 2)] * 3,
+    )
+    assert model.check() == []
+
+
+def test_patches_that_overlap_in_a_narrow_strip():
+    only_problem(blocks(unit_square(), unit_square((0.91, 0.3, 0))), "overlap", "Block1", "Block2")
+
+
+def test_blocks_that_overlap_at_a_corner_only():
+    only_problem(blocks(unit_cube(), unit_cube((0.93, 0.93, 0.2))), "overlap", "Block1", "Block2")
+
+
+@pytest.mark.parametrize("divisions, fits", [((4, 4, 4), True), ((4, 3, 4), False)])
+def test_a_block_that_stands_on_its_edge(divisions, fits):
+    """On the middle of another's face: one edge of it lies there, and no face."""
+    prism = unit_cube((0, 0, 0), (1, 1, 1))
+    prism = np.column_stack(
+        [2 + prism[:, 0] - prism[:, 2], prism[:, 1], 1 + prism[:, 0] + prism[:, 2]]
+    )
+    model = blocks(unit_cube((0, 0, 0), (4, 1, 1)), prism)
+    model.divisions[:] = [(4, 4, 4), divisions]
+    if fits:
+        assert model.check() == []
+    else:
+        only_problem(model, "divisions", "Block1", "Block2")
+
+
 def test_a_narrow_wedge_between_blocks_is_no_gap():
     """Two blocks that share an edge at a small angle."""
     upper = unit_cube((0, 0, 0))

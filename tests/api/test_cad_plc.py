@@ -62,6 +62,33 @@ def test_faces_and_solids_are_groups_and_inner_faces_stay():
         assert mesh.quality("area")["triangle"][cells].sum() == pytest.approx(face.Area, rel=0.03)
 
 
+def test_a_face_of_two_solids_that_only_touch_has_both_names():
+    """A compound of two boxes: the faces between them are two, one on the other."""
+    shape = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, Vector(1, 0, 0))])
+    mesh = nmgs.tetrahedralize(shape, "pq")
+    between = []
+    for number, face in enumerate(shape.Faces, 1):
+        cells = mesh.groups[f"Face{number}"][1]
+        assert mesh.quality("area")["triangle"][cells].sum() == pytest.approx(face.Area)
+        if abs(face.CenterOfMass.x - 1) < 1e-9:
+            between.append(cells.tolist())
+    assert len(between) == 2 and between[0] == between[1]
+    assert mesh.quality("volume")["tetra"].sum() == pytest.approx(2)
+
+
+def test_a_void_between_solids_stays_empty():
+    """Two halves of a box with a cavity: neither half has a cavity of its own."""
+    whole = Part.makeBox(4, 4, 4).cut(Part.makeBox(2, 2, 2, Vector(1, 1, 1)))
+    halves = [whole.common(Part.makeBox(4, 4, 2, Vector(0, 0, z))).Solids[0] for z in (0, 2)]
+    for shape in (Part.makeCompound(halves), halves[0].generalFuse([halves[1]])[0]):
+        mesh = nmgs.tetrahedralize(shape, "pq")
+        assert mesh.quality("volume")["tetra"].sum() == pytest.approx(64 - 8)
+        assert not [name for name in mesh.groups if name.startswith("Region")]
+        assert len(mesh.groups["Solid1"][1]) + len(mesh.groups["Solid2"][1]) == len(
+            mesh.cells["tetra"]
+        )
+
+
 def test_finer_deviation_comes_nearer():
     shape = Part.makeCylinder(1, 2)
     errors = []

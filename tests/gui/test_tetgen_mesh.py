@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """TetGen mesh by the toolbar: of a solid, a PLC, points, and of what TetGen refuses."""
 
+import FreeCAD
 import FreeCADGui
 import numpy as np
+import Part
 import pytest
-from conftest import content, message_boxes, pick, run, screenshot
+from conftest import content, message_boxes, pick, process_events, run, screenshot
 
 from freecad.NMGSWorkbench import nmgs
-from freecad.NMGSWorkbench.objects import plc
+from freecad.NMGSWorkbench.objects import plc, tetgen_mesh
+from freecad.NMGSWorkbench.taskpanels import culprits
+from freecad.NMGSWorkbench.taskpanels.tetgen_mesh import TetGenMeshPanel
 
 CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
 SIDES = np.array(
@@ -80,3 +84,27 @@ def test_what_tetgen_refuses_is_a_message(document):
     assert box.text().startswith("TetGen mesh")
     assert "fault of the NMGS workbench" not in box.text()
     assert FreeCADGui.Selection.getSelection()
+    # The facets are drawn until something else is picked.
+    assert culprits.drawn()
+    screenshot("culprits")
+    pick(made)
+    assert not culprits.drawn()
+
+
+def test_faces_that_cross_are_selected(document):
+    """Two boxes that go through each other."""
+    boxes = [Part.makeBox(2, 2, 2), Part.makeBox(2, 2, 2, FreeCAD.Vector(1, 1, 1))]
+    part = document.addObject("Part::Feature", "Crossing")
+    part.Shape = Part.makeCompound(boxes)
+    document.recompute()
+    mesh = tetgen_mesh.make(document)
+    mesh.Source = [(part, ("",))]
+    mesh.ViewObject.Document.setEdit(mesh.Name)
+    process_events()
+    panel = TetGenMeshPanel(mesh)
+    assert not panel.apply()
+    (picked,) = FreeCADGui.Selection.getSelectionEx()
+    assert picked.Object is part
+    assert all(name.startswith("Face") for name in picked.SubElementNames)
+    assert len(picked.SubElementNames) >= 2
+    assert not culprits.drawn()

@@ -266,6 +266,33 @@ private:
         }
     }
 
+    // Whether an edge of block a runs through block b, as far as nine places on it tell: of two
+    // blocks that overlap, one has such an edge, or is inside the other.
+    [[nodiscard]] bool pierces(std::size_t a, std::size_t b, Vec3 &place) const {
+        const auto nodes = model_.element(b);
+        for (int code = 0; code < part::count; ++code) {
+            if (part::dimension(code) != 1) {
+                continue;
+            }
+            const auto digits = part::digits(code);
+            const auto axis = static_cast<std::size_t>(part::axes(code).axis[0]);
+            std::array<double, 3> natural{digits[0] - 1.0, digits[1] - 1.0, digits[2] - 1.0};
+            for (int i = -4; i <= 4; ++i) {
+                natural[axis] = 0.22 * i;
+                place = at(a, natural);
+                if (!boxes_[b].near(place, topology_.tolerance)) {
+                    continue;
+                }
+                const auto found = find_natural(nodes.first<20>(), place);
+                if (found && std::all_of(found->begin(), found->end(),
+                                         [](double t) { return std::abs(t) < 0.999; })) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     // Whether a sample inside block a lies inside block b.
     [[nodiscard]] bool overlap(std::size_t a, std::size_t b, Vec3 &place) const {
         constexpr std::array<double, 3> samples{0, -0.8, 0.8};
@@ -300,7 +327,7 @@ private:
                 }
             }
         }
-        return false;
+        return model_.dimension == 3 && pierces(a, b, place);
     }
 
     // Faces (of patches: edges) that touch without being one.
@@ -309,6 +336,13 @@ private:
             const auto pair = std::minmax(c.block_a, c.block_b);
             if (sharing_.contains({pair.first, pair.second}) ||
                 gaps_.contains({pair.first, pair.second})) {
+                continue;
+            }
+            if (model_.dimension == 2 && part::dimension(c.part_b) == 2) {
+                add(c.overlap ? ProblemKind::overlap : ProblemKind::divisions, c.block_a,
+                    static_cast<std::int32_t>(c.block_b), c.place,
+                    part_name(c.block_a, c.part_a) + " lies inside " + block_name(c.block_b) +
+                        (c.overlap ? ": they overlap" : ", where nothing joins their nodes,"));
                 continue;
             }
             const std::string both =

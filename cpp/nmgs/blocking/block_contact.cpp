@@ -82,7 +82,7 @@ Vec3 block_point(const BlockModel &model, std::size_t b, std::array<double, 3> n
 }
 
 Part make_part(const BlockModel &model, const Topology &topology, std::size_t b, int code) {
-    Part part{b, code, model.dimension == 2, {}, {}, {}, {}, {}, {}};
+    Part part{b, code, part::dimension(code) == 1, {}, {}, {}, {}, {}, {}};
     const auto digits = part::digits(code);
     const auto axes = part::axes(code);
     std::array<double, 3> natural{digits[0] - 1.0, digits[1] - 1.0,
@@ -192,14 +192,117 @@ std::optional<Contact> bad_cell(const Part &a, const Part &b, double tolerance, 
                     return most - least;
                 };
                 const std::set<std::int64_t> different(low.begin(), low.end());
-                all = different.size() == low.size() && spread(column) <= 1 && spread(row) <= 1;
+                all = different.size() == low.size() && spread(column) <= 1 && spread(row) <= 1 &&
+                      (!a.edge || spread(column) + spread(row) == 1); // no diagonal
             }
             if (!all) {
-                return Contact{a.block, b.block, a.code, b.code, foot.distance, middle};
+                return Contact{a.block, b.block, a.code, b.code, foot.distance, middle, false};
             }
         }
     }
     return std::nullopt;
+}
+
+// The first segment of an edge whose middle lies inside a patch: nothing joins the nodes there,
+// even where they coincide.
+std::optional<Contact> segment_inside(const Part &edge, const Part &patch, double limit) {
+    for (std::size_t i = 0; i + 1 < edge.u.size(); ++i) {
+        const Vec3 middle = map(edge, 0.5 * (edge.u[i] + edge.u[i + 1]), 0);
+        if (!patch.box.near(middle, limit)) {
+            continue;
+        }
+        const Foot foot = foot_on(patch, middle);
+        if (foot.inside && foot.distance <= limit && std::abs(foot.xi) < 1 - 1e-6 &&
+            std::abs(foot.eta) < 1 - 1e-6) {
+            // Patches that go on in each other's plane overlap; others stand on each other.
+            const Vec3 further = edge.out[1] - edge.out[0];
+            const auto tangents = quad8::tangents(patch.nodes, foot.xi, foot.eta);
+            const Vec3 normal = cross(tangents.xi, tangents.eta);
+            const bool flat = std::abs(dot(further, normal)) <= 0.02 * norm(further) * norm(normal);
+            return Contact{edge.block,    patch.block, edge.code, patch.code,
+                           foot.distance, middle,      flat};
+        }
+    }
+    return std::nullopt;
+}
+
+// Whether an edge is one of a face's sides.
+bool is_side(int edge, int face) {
+    const auto e = part::digits(edge);
+    const auto f = part::digits(face);
+    bool on = part::dimension(edge) == 1;
+    for (std::size_t d = 0; d < 3; ++d) {
+        on = on && (f[d] == 1 || f[d] == e[d]);
+    }
+    return on;
+}
+
+// Edges that lie in the faces of other blocks, or in other patches, without being theirs. Only
+// faces that no other block shares, and their sides, can have or be such.
+std::vector<Contact> edges_in_faces(const BlockModel &model, const Topology &topology) {
+    std::vector<Part> parts;
+    std::set<std::pair<std::int32_t, int>> sides; // owners
+    const int codes = model.dimension == 2 ? 9 : part::count;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        for (int face = 0; face < codes; ++face) {
+            const bool outer =
+                part::dimension(face) == 2 &&
+                (model.dimension == 2 ||
+                 topology.uses[b * part::count + static_cast<std::size_t>(face)] == 1);
+            if (!outer) {
+                continue;
+            }
+            parts.push_back(make_part(model, topology, b, face));
+            for (int edge = 0; edge < codes; ++edge) {
+                if (is_side(edge, face)) {
+                    const Owner &owner = topology.of(b, edge);
+                    sides.emplace(owner.block, owner.part);
+                }
+            }
+        }
+    }
+    for (const auto &[block, edge] : sides) {
+        parts.push_back(make_part(model, topology, static_cast<std::size_t>(block), edge));
+    }
+    std::vector<Box> boxes;
+    boxes.reserve(parts.size());
+    for (const Part &part : parts) {
+        boxes.push_back(part.box);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (const auto &[a, b] :
+         near_boxes(boxes, topology.tolerance, 20 * most_near_boxes(parts.size()))) {
+        if (parts[a].edge == parts[b].edge || parts[a].block == parts[b].block) {
+            continue;
+        }
+        const auto pair = parts[a].edge ? std::pair{a, b} : std::pair{b, a};
+        const auto &ends = parts[pair.first].corners;
+        const auto &corners = parts[pair.second].corners;
+        // An edge between two corners of the face is the face's own.
+        if (!std::all_of(ends.begin(), ends.end(),
+                         [&](const auto &end) { return corners.contains(end); })) {
+            pairs.push_back(pair);
+        }
+    }
+    std::vector<std::optional<Contact>> found(pairs.size());
+    parallel_for(pairs.size(), 64, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Part &edge = parts[pairs[i].first];
+            const Part &face = parts[pairs[i].second];
+            if (touches(edge, face, topology.tolerance)) {
+                found[i] = model.dimension == 2
+                               ? segment_inside(edge, face, topology.tolerance)
+                               : bad_cell(edge, face, topology.tolerance, topology.tolerance);
+            }
+        }
+    });
+    std::vector<Contact> contacts;
+    for (const auto &contact : found) {
+        if (contact) {
+            contacts.push_back(*contact);
+        }
+    }
+    return contacts;
 }
 
 } // namespace
@@ -244,6 +347,16 @@ std::vector<Contact> find_bad_contacts(const BlockModel &model, const Topology &
     for (const auto &contact : found) {
         if (contact) {
             contacts.push_back(*contact);
+        }
+    }
+    // Once a pair of blocks: an edge of a face that does not fit does not fit either.
+    std::set<std::pair<std::size_t, std::size_t>> told;
+    for (const Contact &contact : contacts) {
+        told.insert(std::minmax(contact.block_a, contact.block_b));
+    }
+    for (const Contact &contact : edges_in_faces(model, topology)) {
+        if (told.insert(std::minmax(contact.block_a, contact.block_b)).second) {
+            contacts.push_back(contact);
         }
     }
     return contacts;

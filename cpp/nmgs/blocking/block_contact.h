@@ -19,9 +19,12 @@ struct Contact {
     int part_a, part_b;
     double distance; // of the two, at the place
     Vec3 place;      // middle of the first cell that does not fit
+    bool overlap;    // patches that lie on each other
 };
 
-// The contacts whose cells do not fit, at most one a pair of parts. Parts that share a corner touch
+// The contacts whose cells do not fit, at most one a pair of parts. Edges that lie in the face of
+// another block, or in another patch, as a rib on a skin, are among them, once a pair of blocks:
+// part_b of such a patch is its inside, and no divisions fit there. Parts that share a corner touch
 // when they come within the topology's tolerance, others when within `gap`.
 std::vector<Contact> find_bad_contacts(const BlockModel &model, const Topology &topology,
                                        double gap);

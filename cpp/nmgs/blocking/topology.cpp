@@ -14,6 +14,13 @@
 
 namespace nmgs {
 
+int part::of_node(int dimension, std::size_t n) {
+    const auto digit = [](double natural) { return static_cast<int>(natural) + 1; };
+    return dimension == 2 ? code(digit(quad8::natural[n][0]), digit(quad8::natural[n][1]), 0)
+                          : code(digit(hexa20::natural[n][0]), digit(hexa20::natural[n][1]),
+                                 digit(hexa20::natural[n][2]));
+}
+
 namespace {
 
 using Digits = std::array<int, 3>;
@@ -22,14 +29,8 @@ using Digits = std::array<int, 3>;
 std::array<int, part::count> make_node_of_part(int dimension) {
     std::array<int, part::count> table{};
     table.fill(-1);
-    const auto digit = [](double natural) { return static_cast<int>(natural) + 1; };
     for (int n = 0; n < (dimension == 2 ? 8 : 20); ++n) {
-        const auto i = static_cast<std::size_t>(n);
-        const int code =
-            dimension == 2 ? part::code(digit(quad8::natural[i][0]), digit(quad8::natural[i][1]), 0)
-                           : part::code(digit(hexa20::natural[i][0]), digit(hexa20::natural[i][1]),
-                                        digit(hexa20::natural[i][2]));
-        table[static_cast<std::size_t>(code)] = n;
+        table[static_cast<std::size_t>(part::of_node(dimension, static_cast<std::size_t>(n)))] = n;
     }
     return table;
 }

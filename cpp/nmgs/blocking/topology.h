@@ -42,6 +42,8 @@ constexpr Axes axes(int code) {
     }
     return result;
 }
+// The corner or edge that an element's node n is on, or in the middle of; dimension 2 or 3.
+int of_node(int dimension, std::size_t n);
 // "corner 3", "edge 1-5", "face 1-2-3-4" in the thesis's node numbers.
 std::string name(int code, int dimension);
 } // namespace part

@@ -323,14 +323,9 @@ double model_size(const BlockModel &model) {
 
 ResultFile read_result_file(const std::string &path, int dimension, Numbering numbering,
                             const Progress &progress) {
-    if (dimension != 2 && dimension != 3) {
-        throw ArgumentError("dimension: expected 2 or 3, got " + std::to_string(dimension));
-    }
     TextReader reader(path, Comments::explanations);
     ResultFile file;
-    file.reference = setup_section::read_head(reader, file_ids[dimension - 2]);
-    file.model = setup_section::read(reader, dimension, numbering);
-    setup_section::listen(reader, file.model);
+    setup_section::open(reader, dimension, file_ids, numbering, file.model, file.reference);
     const std::int64_t zones = cell_count(file.model);
     const std::int64_t most = std::min<std::int64_t>(lattice_count(file.model), largest);
     const std::int64_t nodes = reader.integer("the number of nodes", 4, most);

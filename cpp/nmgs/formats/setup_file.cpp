@@ -140,6 +140,7 @@ void parse_spacing(TextReader &reader, BlockModel &model, std::string_view text,
 } // namespace
 
 namespace setup_section {
+namespace {
 
 std::string read_head(TextReader &reader, const std::string &file_id) {
     if (!reader.skip_to_text()) {
@@ -211,6 +212,18 @@ void listen(TextReader &reader, BlockModel &model) {
     });
 }
 
+} // namespace
+
+void open(TextReader &reader, int dimension, std::span<const char *const, 2> file_ids,
+          Numbering numbering, BlockModel &model, std::string &reference) {
+    if (dimension != 2 && dimension != 3) {
+        throw ArgumentError("dimension: expected 2 or 3, got " + std::to_string(dimension));
+    }
+    reference = read_head(reader, file_ids[static_cast<std::size_t>(dimension) - 2]);
+    model = read(reader, dimension, numbering);
+    listen(reader, model);
+}
+
 void check_spacing(const TextReader &reader, const BlockModel &model) {
     try {
         validate(model);
@@ -276,14 +289,9 @@ void write_spacing(AtomicFile &file, const BlockModel &model) {
 } // namespace setup_section
 
 SetupFile read_setup_file(const std::string &path, int dimension, Numbering numbering) {
-    if (dimension != 2 && dimension != 3) {
-        throw ArgumentError("dimension: expected 2 or 3, got " + std::to_string(dimension));
-    }
     TextReader reader(path, Comments::explanations);
     SetupFile file;
-    file.reference = setup_section::read_head(reader, file_ids[dimension - 2]);
-    file.model = setup_section::read(reader, dimension, numbering);
-    setup_section::listen(reader, file.model);
+    setup_section::open(reader, dimension, file_ids, numbering, file.model, file.reference);
     reader.expect_end();
     setup_section::check_spacing(reader, file.model);
     return file;

@@ -9,6 +9,7 @@
 #include "nmgs/support/atomic_file.h"
 #include "nmgs/support/text_reader.h"
 
+#include <span>
 #include <string>
 
 namespace nmgs {
@@ -34,11 +35,11 @@ void write_setup_file(const std::string &path, const BlockModel &model,
 
 // The parts that result files have too.
 namespace setup_section {
-// Reads the file id, which must be the one given, and the reference text after it.
-std::string read_head(TextReader &reader, const std::string &file_id);
-BlockModel read(TextReader &reader, int dimension, Numbering numbering);
-// Collects the spacing lines of the rest of the file into the model: call before the end is read.
-void listen(TextReader &reader, BlockModel &model);
+// Reads the file id, which must be that of the dimension, the reference text after it and the
+// set-up; what spacing lines come later is collected into the model, which must stay where it is.
+// Raises ArgumentError for a dimension other than 2 and 3.
+void open(TextReader &reader, int dimension, std::span<const char *const, 2> file_ids,
+          Numbering numbering, BlockModel &model, std::string &reference);
 // Raises FormatError when the lines do not suit the model.
 void check_spacing(const TextReader &reader, const BlockModel &model);
 

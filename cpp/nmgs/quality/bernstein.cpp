@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace nmgs {
@@ -102,6 +103,42 @@ Barycentric in_part(const Part &part, const Barycentric &at) {
     return result;
 }
 
+// Multiplies all lines of values along the direction of the stride by an n x n matrix.
+template <class Count>
+void multiply(const std::vector<double> &rows, const std::vector<double> &columns, Count n,
+              std::size_t stride, std::span<double> values) {
+    std::array<double, 256> result{};
+    if (stride == 1 && n < values.size()) {
+        // Lines in a row, each a matrix times a vector, column by column.
+        for (std::size_t outer = 0; outer < values.size(); outer += n) {
+            std::fill_n(result.begin(), n, 0.0);
+            for (std::size_t j = 0; j < n; ++j) {
+                const double factor = values[outer + j];
+                for (std::size_t i = 0; i < n; ++i) {
+                    result[i] += columns[j * n + i] * factor;
+                }
+            }
+            std::copy_n(result.begin(), n, values.begin() + static_cast<long>(outer));
+        }
+        return;
+    }
+    for (std::size_t outer = 0; outer < values.size(); outer += stride * n) {
+        // All lines that start in this slab at once: the inner loop runs over neighbours.
+        std::fill_n(result.begin(), stride * n, 0.0);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                const double factor = rows[i * n + j];
+                const double *from = values.data() + outer + j * stride;
+                double *to = result.data() + i * stride;
+                for (std::size_t s = 0; s < stride; ++s) {
+                    to[s] += factor * from[s];
+                }
+            }
+        }
+        std::copy_n(result.begin(), stride * n, values.begin() + static_cast<long>(outer));
+    }
+}
+
 } // namespace
 
 BernsteinBasis BernsteinBasis::simplex(std::size_t dimension, std::size_t degree) {
@@ -162,42 +199,44 @@ BernsteinBasis BernsteinBasis::box(std::size_t directions, std::size_t degree) {
 void BernsteinBasis::finish(const Matrix &values_of_basis,
                             const std::vector<Matrix> &values_in_halves) {
     const std::size_t n = count_;
-    inverse_ = invert(values_of_basis, n);
+    const Matrix inverse = invert(values_of_basis, n);
     for (const Matrix &values : values_in_halves) {
         Matrix product(n * n, 0);
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t k = 0; k < n; ++k) {
                 for (std::size_t j = 0; j < n; ++j) {
-                    product[i * n + j] += inverse_[i * n + k] * values[k * n + j];
+                    product[i * n + j] += inverse[i * n + k] * values[k * n + j];
                 }
             }
         }
-        halves_.push_back(std::move(product));
+        halves_.push_back(operator_of(std::move(product)));
     }
+    inverse_ = operator_of(inverse);
 }
 
-void BernsteinBasis::apply(const Matrix &matrix, std::size_t direction,
-                           std::span<double> values) const {
+BernsteinBasis::Operator BernsteinBasis::operator_of(Matrix rows) const {
     const std::size_t n = count_;
+    Matrix columns(n * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            columns[j * n + i] = rows[i * n + j];
+        }
+    }
+    return {std::move(rows), std::move(columns)};
+}
+
+void BernsteinBasis::apply(const Operator &matrix, std::size_t direction,
+                           std::span<double> values) const {
     std::size_t stride = 1;
     for (std::size_t d = 0; d < direction; ++d) {
-        stride *= n;
+        stride *= count_;
     }
-    std::array<double, 256> result{};
-    for (std::size_t outer = 0; outer < values.size(); outer += stride * n) {
-        // All lines that start in this slab at once: the inner loop runs over neighbours.
-        std::fill_n(result.begin(), stride * n, 0.0);
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                const double factor = matrix[i * n + j];
-                const double *from = values.data() + outer + j * stride;
-                double *to = result.data() + i * stride;
-                for (std::size_t s = 0; s < stride; ++s) {
-                    to[s] += factor * from[s];
-                }
-            }
-        }
-        std::copy_n(result.begin(), stride * n, values.begin() + static_cast<long>(outer));
+    // The loops are worth most for the most expensive basis: there the compiler knows their length.
+    if (count_ == 6 && directions_ == 3) {
+        multiply(matrix.rows, matrix.columns, std::integral_constant<std::size_t, 6>(), stride,
+                 values);
+    } else {
+        multiply(matrix.rows, matrix.columns, count_, stride, values);
     }
 }
 

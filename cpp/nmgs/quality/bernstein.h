@@ -38,15 +38,21 @@ public:
 private:
     using Matrix = std::vector<double>; // count x count, row by row
 
-    void apply(const Matrix &matrix, std::size_t direction, std::span<double> values) const;
+    // The same matrix in both orders: lines of neighbours are multiplied column by column.
+    struct Operator {
+        Matrix rows, columns;
+    };
+
+    [[nodiscard]] Operator operator_of(Matrix rows) const;
+    void apply(const Operator &matrix, std::size_t direction, std::span<double> values) const;
     void finish(const Matrix &values_of_basis, const std::vector<Matrix> &values_in_halves);
 
     std::size_t directions_ = 1;
     std::size_t count_ = 0;
     std::vector<std::array<double, 3>> samples_;
     std::vector<std::size_t> corners_;
-    Matrix inverse_;
-    std::vector<Matrix> halves_;
+    Operator inverse_;
+    std::vector<Operator> halves_;
 };
 
 } // namespace nmgs

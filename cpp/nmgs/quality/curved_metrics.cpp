@@ -5,6 +5,7 @@
 #include "nmgs/element/quad8.h"
 #include "nmgs/mesh/cell_topology.h"
 #include "nmgs/quality/bernstein.h"
+#include "nmgs/quality/hexa20_tangents.h"
 
 #include <algorithm>
 #include <array>
@@ -126,6 +127,10 @@ std::vector<double> tangents(const Kind &kind, const Vec3 *p) {
     const std::size_t n = kind.basis.size();
     const auto k = static_cast<std::size_t>(node_count(kind.type));
     std::vector<double> t(9 * n, 0.0);
+    if (kind.type == CellType::hexahedron20) { // 216 samples: a quicker way to the same values
+        sample(hexa20_tangents(p), std::span<double, std::size_t{9} * 216>(t));
+        return t;
+    }
     for (std::size_t dir = 0; dir < kind.dimension(); ++dir) {
         for (std::size_t i = 0; i < k; ++i) {
             // From the first node: derivatives do not see it, and cells far off lose no digits.
@@ -186,13 +191,20 @@ std::vector<double> jacobian(const Kind &kind, const std::vector<double> &t) {
 std::vector<double> length2(const Kind &kind, const std::vector<double> &t,
                             const std::array<int, 3> &direction) {
     const std::size_t n = kind.basis.size();
-    std::vector<double> values(n);
-    for (std::size_t s = 0; s < n; ++s) {
-        Vec3 sum{0, 0, 0};
-        for (std::size_t d = 0; d < kind.dimension(); ++d) {
-            sum += static_cast<double>(direction[d]) * tangent(t, n, d, s);
+    std::vector<double> values(n, 0.0);
+    std::array<double, 216> sum{};
+    for (std::size_t coordinate = 0; coordinate < 3; ++coordinate) {
+        std::fill_n(sum.begin(), n, 0.0);
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double factor = direction[d];
+            const double *x = t.data() + (3 * d + coordinate) * n;
+            for (std::size_t s = 0; factor != 0 && s < n; ++s) {
+                sum[s] += factor * x[s];
+            }
         }
-        values[s] = norm2(sum);
+        for (std::size_t s = 0; s < n; ++s) {
+            values[s] += sum[s] * sum[s];
+        }
     }
     kind.basis.to_coefficients(values);
     return values;
@@ -227,6 +239,56 @@ double largest_product(const Kind &kind, const std::vector<double> &squares) {
     return std::sqrt(most);
 }
 
+// A number that the quotient of the Jacobian and the product of these lengths does not fall below
+// in the piece, where all coefficients of the Jacobian are positive. Each squared length is divided
+// by its mean; the product of the roots is at most the power of the arithmetic mean m of what is
+// left, and that at most a polynomial P: m itself for two lengths, for three the chord of m^(3/2)
+// over the range of m. Then J - q P has no negative coefficient for q the least quotient of theirs:
+// J and P are compared where they are, not the least of one with the largest of the other.
+double least_quotient(const Piece &piece, const std::vector<std::size_t> &product) {
+    const std::size_t n = piece.jacobian.size();
+    std::array<double, 3> weight{};
+    double scale = 1;
+    for (std::size_t d = 0; d < product.size(); ++d) {
+        double mean = 0;
+        for (const double c : piece.lengths2[product[d]]) {
+            mean += c;
+        }
+        mean /= static_cast<double>(n);
+        if (!(mean > 0)) {
+            return 0;
+        }
+        weight[d] = 1 / (mean * static_cast<double>(product.size()));
+        scale *= std::sqrt(mean);
+    }
+    std::array<double, 216> m{};
+    double low = infinity;
+    double high = 0;
+    for (std::size_t c = 0; c < n; ++c) {
+        for (std::size_t d = 0; d < product.size(); ++d) {
+            m[c] += weight[d] * piece.lengths2[product[d]][c];
+        }
+        low = std::min(low, m[c]);
+        high = std::max(high, m[c]);
+    }
+    if (!(low > 0)) {
+        return 0;
+    }
+    double start = 0; // of the chord, and its slope
+    double slope = 1;
+    if (product.size() == 3) {
+        const double at_low = low * std::sqrt(low);
+        slope = high > low * (1 + 1e-9) ? (high * std::sqrt(high) - at_low) / (high - low)
+                                        : 1.5 * std::sqrt(high) + 1e-6;
+        start = at_low - slope * low;
+    }
+    double least = infinity;
+    for (std::size_t c = 0; c < n; ++c) {
+        least = std::min(least, piece.jacobian[c] / (scale * (start + slope * m[c])));
+    }
+    return std::max(0.0, least);
+}
+
 // A value that the metric does not fall below in the piece.
 double lower_bound(const Kind &kind, const Piece &piece) {
     const double least = *std::min_element(piece.jacobian.begin(), piece.jacobian.end());
@@ -237,6 +299,13 @@ double lower_bound(const Kind &kind, const Piece &piece) {
     for (const auto &lengths : piece.lengths2) {
         squares.push_back(least > 0 ? *std::max_element(lengths.begin(), lengths.end())
                                     : *std::min_element(lengths.begin(), lengths.end()));
+    }
+    if (least > 0) {
+        double quotient = infinity;
+        for (const auto &product : kind.products) {
+            quotient = std::min(quotient, least_quotient(piece, product));
+        }
+        return kind.factor * std::max(quotient, least / largest_product(kind, squares));
     }
     const double product = largest_product(kind, squares);
     // |J| is at most the product of the lengths (Hadamard).
@@ -265,6 +334,7 @@ double least_value(const Kind &kind, const Piece &piece) {
 // number of pieces runs out, as on the edge of a fold, it is still a bound.
 double bound_below(const Kind &kind, Piece whole, double absolute, double relative = 0) {
     constexpr std::size_t most_pieces = 1000;
+    constexpr std::size_t most_of_folded = 64; // a cell that is unusable anyway
     double taken = least_value(kind, whole); // the minimum is not above
     double lower = lower_bound(kind, whole);
     const auto close = [&](double bound) {
@@ -278,7 +348,8 @@ double bound_below(const Kind &kind, Piece whole, double absolute, double relati
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     open.emplace(lower, 0);
-    while (!close(open.top().first) && pieces.size() < most_pieces) {
+    while (!close(open.top().first) &&
+           pieces.size() < (taken < 0 ? most_of_folded : most_pieces)) {
         const std::size_t at = open.top().second;
         open.pop();
         const Piece piece = std::move(pieces[at]);
@@ -344,12 +415,20 @@ double jacobian_ratio(CellType type, const Vec3 *p) {
 
 double scaled_jacobian(CellType type, const Vec3 *p) {
     const Kind &kind = kind_of(type);
+    constexpr double absolute = 0.01;
+    constexpr double relative = 0.05;
+    if (type == CellType::hexahedron20) {
+        const auto [lower, upper] = scaled_jacobian_bounds(hexa20_tangents(p));
+        if (lower > 0 && lower >= upper - absolute - relative * upper) {
+            return lower;
+        }
+    }
     const auto t = tangents(kind, p);
     Piece piece{jacobian(kind, t), {}, 0};
     for (const auto &direction : kind.directions) {
         piece.lengths2.push_back(length2(kind, t, direction));
     }
-    return bound_below(kind, std::move(piece), 0.01, 0.05);
+    return bound_below(kind, std::move(piece), absolute, relative);
 }
 
 double volume(CellType type, const Vec3 *p) {

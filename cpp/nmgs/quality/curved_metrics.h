@@ -7,6 +7,9 @@
 // curvilinear finite elements, Comput.-Aided Des. 103, 2018). Every value is a bound on the safe
 // side.
 //
+// Not of wedge15 and pyramid13: those are measured as straight cells, by their corners, as Verdict
+// measures them.
+//
 // The Jacobian of a surface cell is the part of the cross product of its tangents along the cell's
 // mean normal: it becomes negative where the cell turns back on itself.
 #pragma once

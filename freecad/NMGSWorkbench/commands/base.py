@@ -10,7 +10,7 @@ import FreeCADGui
 
 from ..objects import stale
 from ..resources import icon
-from ..taskpanels import messages
+from ..taskpanels import culprits, messages
 
 
 class Command:
@@ -80,8 +80,7 @@ class Command:
             # Whatever went wrong, the document is as it was before and the user reads why.
             document.abortTransaction()
             messages.show_error(self.menu_text, error)
-            if self.culprits:
-                _select(self.culprits)
+            culprits.point_out(self.culprits, error)
         else:
             document.commitTransaction()
             if made is not None:

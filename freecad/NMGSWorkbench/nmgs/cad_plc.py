@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Dict, FrozenSet, Optional
 
 import numpy as np
 
@@ -24,6 +24,8 @@ def plc_of_shape(
     source: Any, deviation: float = 0.0, progress: Optional[Callable[[float], Any]] = None
 ) -> PLC:
     """Facets of the faces, with n of FaceN as marker; a region with attribute n inside SolidN.
+    Where faces of different solids lie on each other there are facets once, with a marker of their
+    own that belongs to the groups of both.
 
     source: a Part.Shape, a list of them, or a document object. A face between two solids is there
     once. deviation: largest distance of a facet from its face; 0 for a thousandth of the diagonal.
@@ -50,6 +52,38 @@ def plc_of_shape(
     )
     # Solids that touch without sharing a face, and slivers of the triangulation.
     if any(p.fault in MENDED for p in plc.check(limit=1)):
-        plc = plc.mend()
+        plc = _mended(plc, shape.faces)
     plc.part = part  # type: ignore[attr-defined]
     return plc
+
+
+def _mended(plc: PLC, faces: int) -> PLC:
+    """plc.mend(), and a facet that stands for those of several faces has the names of all: a marker
+    of its own, above those of the faces, that is in the groups of each."""
+    mended = plc.mend()
+    kept = mended.old_facets  # type: ignore[attr-defined]
+    gone = np.setdiff1d(np.arange(len(plc)), kept)
+    if not len(gone):
+        return mended
+    corners = plc.points[plc.polygon_nodes.reshape(-1, 3)]
+    middle = corners.mean(axis=1)
+    near = 1e-7 * float(np.linalg.norm(np.ptp(plc.points, axis=0)))
+    order = np.argsort(middle[kept, 0], kind="stable")
+    ranked = middle[kept[order]]
+    names = [{int(marker)} for marker in mended.markers]
+    for facet in gone.tolist():
+        low, high = np.searchsorted(ranked[:, 0], middle[facet, 0] + np.array([-near, near]))
+        if low < high:
+            distance = np.linalg.norm(ranked[low:high] - middle[facet], axis=1)
+            best = int(np.argmin(distance))
+            if distance[best] <= near:
+                names[order[low + best]].add(int(plc.markers[facet]))
+    together: Dict[FrozenSet[int], int] = {}
+    for facet, own in enumerate(names):
+        if len(own) > 1:
+            marker = together.setdefault(frozenset(own), faces + 1 + len(together))
+            mended.markers[facet] = marker
+    for own, marker in together.items():
+        for face in own:
+            mended.groups[f"Face{face}"].append(marker)
+    return mended

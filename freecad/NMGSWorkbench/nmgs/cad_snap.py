@@ -17,6 +17,13 @@ TRIANGLE_EDGES = ((0, 1), (1, 2), (0, 2))
 KEPT = 0.01
 #: How often the moves of a tetrahedron that would turn inside out are halved, before they are 0.
 HALVINGS = 6
+#: How often the corners of tetrahedra that are inside out are moved, and by which shares of the
+#: shortest edge. A tetrahedron this many times above what it has to keep is left alone.
+ROUNDS = 40
+STEPS = (0.4, 0.2, 0.1, 0.05, 0.02)
+ENOUGH = 5.0
+#: Corners opposite to each corner, seen from it: the normal points towards it.
+OPPOSITE = ((1, 3, 2), (0, 2, 3), (0, 3, 1), (0, 1, 2))
 
 
 def snap_to_shape(
@@ -25,73 +32,187 @@ def snap_to_shape(
     """Moves the nodes of the groups FaceN to the nearest point of FaceN; on an edge between faces,
     to the nearest point of that edge. Mid-nodes follow, and those on the boundary go onto it too.
 
-    Changes mesh.points. No tetrahedron turns inside out: where one would, its nodes move less.
-    Returns the largest distance from the CAD that is left. Raises Cancelled.
+    Changes mesh.points. No tetrahedron turns inside out: where one would, its nodes are moved, the
+    inner ones anywhere and those on faces along them, until it does not; where that does not help,
+    its nodes move less and stay off the CAD. Returns the largest distance from the CAD that is
+    left. Raises Cancelled.
     """
-    targets = _targets(mesh, shape, progress)
-    if not targets:
+    boundary = _Boundary(mesh, shape)
+    if not boundary.faces_of:
         return 0.0
-    start = mesh.points.copy()
-    nodes = np.array(sorted(targets), np.int64)
-    wanted = np.zeros_like(start)
-    wanted[nodes] = np.array([targets[n] for n in nodes.tolist()]) - start[nodes]
-    share = np.ones(len(start))
     kind = "tetra" if "tetra" in mesh.cells else "tetra10"
     tetra = mesh.cells[kind]
-    moving = np.zeros(len(start), bool)
-    moving[nodes] = True
-    near = np.flatnonzero(moving[tetra].any(axis=1))
-    before = _smallest_jacobian(start, tetra[near])
+    targets = boundary.corner_targets(mesh.points, progress)
+    left = _settle(mesh.points, tetra[:, :4], targets, boundary.nearest)
+    if tetra.shape[1] == 10:
+        targets = boundary.middle_targets(mesh.points, progress)
+        left = max(left, _bend(mesh.points, tetra, targets))
+    return left
+
+
+def _settle(
+    points: np.ndarray, tetra: np.ndarray, targets: Dict[int, np.ndarray], nearest: Any
+) -> float:
+    """Corners to their targets; returns how far they stay off at most."""
+    if not targets:
+        return 0.0
+    start = points.copy()
+    floor = KEPT * _smallest_jacobian(start, tetra)
+    for node, place in targets.items():
+        points[node] = place
+    _untangle(points, tetra, floor, targets, nearest)
+    wanted = points - start
+    # What has moved and is still in the way moves less.
+    moved = np.flatnonzero((wanted != 0).any(axis=1))
+    share = np.ones(len(points))
+    near = np.flatnonzero(np.isin(tetra, moved).any(axis=1))
     for round in range(HALVINGS + len(near)):
-        mesh.points[:] = start + share[:, None] * wanted
-        _straighten(mesh.points, tetra[near], moving)
-        bad = near[_smallest_jacobian(mesh.points, tetra[near]) < KEPT * before]
+        points[moved] = start[moved] + share[moved, None] * wanted[moved]
+        bad = near[_smallest_jacobian(points, tetra[near]) < floor[near]]
         if not len(bad):
             break
         share[np.unique(tetra[bad])] *= 0.5 if round < HALVINGS else 0.0
-    return float(np.linalg.norm(((1 - share)[:, None] * wanted)[nodes], axis=1).max())
+    fixed = np.array(sorted(targets))
+    return float(np.linalg.norm((1 - share[fixed, None]) * wanted[fixed], axis=1).max())
 
 
-def _straighten(points: np.ndarray, tetra: np.ndarray, moving: np.ndarray) -> None:
-    """Mid-nodes that have no target of their own go to the middle of their edge."""
-    if tetra.shape[1] != 10:
+def _untangle(
+    points: np.ndarray,
+    tetra: np.ndarray,
+    floor: np.ndarray,
+    targets: Dict[int, np.ndarray],
+    nearest: Any,
+) -> None:
+    """Moves corners of tetrahedra below their floor, each to where the least of its tetrahedra,
+    measured by their floors, is largest among a few places (a pattern search)."""
+    bad = np.flatnonzero(_smallest_jacobian(points, tetra) < floor)
+    if not len(bad):
         return
+    order = np.argsort(tetra, axis=None, kind="stable")
+    ends = np.searchsorted(tetra.reshape(-1)[order], np.arange(len(points) + 1))
+    unit = np.maximum(np.abs(floor), np.finfo(float).tiny)
+    for _ in range(ROUNDS):
+        for node in np.unique(tetra[bad]).tolist():
+            cells = order[ends[node] : ends[node + 1]] // 4
+            corners = points[tetra[cells]]
+            here = tetra[cells] == node
+
+            def least(place: np.ndarray) -> float:
+                corners[here] = place
+                volume = np.linalg.det(corners[:, 1:] - corners[:, :1])
+                return float((volume / unit[cells]).min())
+
+            best, place = least(points[node]), points[node].copy()
+            if best >= ENOUGH:
+                continue
+            size = np.linalg.norm(corners - place, axis=2)
+            size = size[size > 0].min()
+            for step in STEPS:
+                for direction in _directions(corners, here, place, unit[cells]):
+                    tried = points[node] + step * size * direction
+                    if node in targets:
+                        tried = np.array(nearest(node, tried))
+                    value = least(tried)
+                    if value > best:
+                        best, place = value, tried
+            points[node] = place
+        bad = np.flatnonzero(_smallest_jacobian(points, tetra) < floor)
+        if not len(bad):
+            return
+
+
+def _directions(
+    corners: np.ndarray, here: np.ndarray, place: np.ndarray, unit: np.ndarray
+) -> np.ndarray:
+    """Unit vectors: along the axes, and away from the opposite faces of the worst tetrahedra."""
+    corners[here] = place
+    volume = np.linalg.det(corners[:, 1:] - corners[:, :1]) / unit
+    found = [*np.eye(3), *-np.eye(3)]
+    for cell in np.argsort(volume)[:3]:
+        k = int(np.flatnonzero(here[cell])[0])
+        a, b, c = (corners[cell][n] for n in OPPOSITE[k])
+        normal = np.cross(b - a, c - a)
+        length = np.linalg.norm(normal)
+        if length > 0:
+            found.append(normal / length)
+    return np.array(found)
+
+
+def _bend(points: np.ndarray, tetra: np.ndarray, targets: Dict[int, np.ndarray]) -> float:
+    """Mid-nodes: straight first, then those on the boundary to their targets as far as they can."""
+    straight = points.copy()
+    moving = np.zeros(len(points), bool)
     for k, (a, b) in enumerate(TETRA_EDGES):
-        free = ~moving[tetra[:, 4 + k]]
-        rows = tetra[free]
-        points[rows[:, 4 + k]] = 0.5 * (points[rows[:, a]] + points[rows[:, b]])
+        straight[tetra[:, 4 + k]] = 0.5 * (points[tetra[:, a]] + points[tetra[:, b]])
+    wanted = np.zeros_like(points)
+    for node, place in targets.items():
+        wanted[node] = place - straight[node]
+        moving[node] = True
+    near = np.flatnonzero(moving[tetra].any(axis=1))
+    floor = KEPT * _smallest_jacobian(straight, tetra[near])
+    share = np.ones(len(points))
+    for round in range(HALVINGS + len(near)):
+        points[:] = straight + share[:, None] * wanted
+        bad = near[_smallest_jacobian(points, tetra[near]) < floor]
+        if not len(bad):
+            break
+        share[np.unique(tetra[bad][:, 4:])] *= 0.5 if round < HALVINGS else 0.0
+    return float(np.linalg.norm((1 - share[:, None]) * wanted, axis=1).max())
 
 
-def _targets(
-    mesh: Mesh, shape: Any, progress: Optional[Callable[[float], Any]]
-) -> Dict[int, Tuple[float, float, float]]:
-    """The place on the CAD for each node of the boundary that is not there yet."""
-    faces_of: Dict[int, set] = {}
-    middles: Dict[int, Tuple[int, int]] = {}
-    for name, (kind, cells) in mesh.groups.items():
-        if kind not in ("triangle", "triangle6") or not name[4:].isdigit() or name[:4] != "Face":
-            continue
-        number = int(name[4:])
-        rows = mesh.cells[kind][cells]
-        for node in np.unique(rows).tolist():
-            faces_of.setdefault(node, set()).add(number)
-        for k, (a, b) in enumerate(TRIANGLE_EDGES[: rows.shape[1] - 3]):
-            middles.update(
-                zip(rows[:, 3 + k].tolist(), zip(rows[:, a].tolist(), rows[:, b].tolist()))
-            )
-    carriers = _Carriers(shape)
-    result: Dict[int, Tuple[float, float, float]] = {}
-    # Corners first: a mid-node starts from the middle of where its corners go.
-    order = sorted(faces_of, key=lambda node: (node in middles, node))
-    for done, node in enumerate(order):
-        if progress is not None and done % 200 == 0 and progress(done / len(order)) is False:
-            raise Cancelled("cancelled")
-        place = mesh.points[node]
-        if node in middles:
-            a, b = middles[node]
-            place = 0.5 * (np.array(result.get(a, mesh.points[a])) + result.get(b, mesh.points[b]))
-        result[node] = carriers.nearest(frozenset(faces_of[node]), place)
-    return result
+class _Boundary:
+    """The nodes of the groups FaceN and where they belong."""
+
+    def __init__(self, mesh: Mesh, shape: Any):
+        self.faces_of: Dict[int, FrozenSet[int]] = {}
+        self._middles: Dict[int, Tuple[int, int]] = {}
+        of: Dict[int, set] = {}
+        for name, (kind, cells) in mesh.groups.items():
+            if (
+                kind not in ("triangle", "triangle6")
+                or not name[4:].isdigit()
+                or name[:4] != "Face"
+            ):
+                continue
+            rows = mesh.cells[kind][cells]
+            for node in np.unique(rows).tolist():
+                of.setdefault(node, set()).add(int(name[4:]))
+            for k, (a, b) in enumerate(TRIANGLE_EDGES[: rows.shape[1] - 3]):
+                self._middles.update(
+                    zip(rows[:, 3 + k].tolist(), zip(rows[:, a].tolist(), rows[:, b].tolist()))
+                )
+        self.faces_of = {node: frozenset(faces) for node, faces in sorted(of.items())}
+        self._carriers = _Carriers(shape)
+
+    def nearest(self, node: int, place: np.ndarray) -> Tuple[float, float, float]:
+        """The point of the node's face or edge that is nearest to a place; a corner stays."""
+        return self._carriers.nearest(self.faces_of[node], place)
+
+    def corner_targets(
+        self, points: np.ndarray, progress: Optional[Callable[[float], Any]]
+    ) -> Dict[int, np.ndarray]:
+        nodes = [node for node in self.faces_of if node not in self._middles]
+        return self._targets(nodes, points, progress)
+
+    def middle_targets(
+        self, points: np.ndarray, progress: Optional[Callable[[float], Any]]
+    ) -> Dict[int, np.ndarray]:
+        nodes = [node for node in self.faces_of if node in self._middles]
+        middles = points.copy()
+        for node in nodes:
+            a, b = self._middles[node]
+            middles[node] = 0.5 * (points[a] + points[b])
+        return self._targets(nodes, middles, progress)
+
+    def _targets(
+        self, nodes: List[int], points: np.ndarray, progress: Optional[Callable[[float], Any]]
+    ) -> Dict[int, np.ndarray]:
+        result = {}
+        for done, node in enumerate(nodes):
+            if progress is not None and done % 200 == 0 and progress(done / len(nodes)) is False:
+                raise Cancelled("cancelled")
+            result[node] = np.array(self.nearest(node, points[node]))
+        return result
 
 
 class _Carriers:

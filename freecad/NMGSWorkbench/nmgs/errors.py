@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Sequence
+from typing import Any, List, Sequence
 
 
 class Error(Exception):
@@ -37,13 +37,15 @@ class BlockingError(Error):
 
 
 class TetGenError(Error):
-    """TetGen failed. code: its exit code; facets: 0-based facets to blame; log: its own words."""
+    """TetGen failed. code: its exit code; facets: 0-based facets to blame; log: its own words;
+    outlines: (n, 3) points of the polygons of the first of these facets."""
 
     def __init__(self, message: str, code: int = 0, facets: Sequence[int] = (), log: str = ""):
         super().__init__(message)
         self.code = code
         self.facets = list(facets)
         self.log = log
+        self.outlines: List[Any] = []
 
 
 class Cancelled(Error):

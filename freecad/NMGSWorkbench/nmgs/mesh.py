@@ -174,6 +174,11 @@ class Mesh:
         max_angle (of volume cells between faces), radius_edge_ratio, length, area, volume,
         min_jacobian, jacobian_ratio (of quadratic cells). Definitions are Verdict's; docs and the
         kernel's headers say the rest. Angles in degrees. Raises ValueError for other names.
+
+        triangle6, quad8, tetra10 and hexahedron20: scaled_jacobian, min_jacobian, jacobian_ratio,
+        area and volume are of the curved cell, the first three bounds that hold in all of it; the
+        others are of the straight cell with its corners. wedge15 and pyramid13: all metrics are of
+        the straight cell, as Verdict has them; a mid-node out of place does not show.
         """
         return _kernel.core().quality(self.points, self.cells, metric, progress)
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence, Tuple
+from typing import Any, List, Sequence, Tuple
 
 from .. import nmgs
 from . import sources
@@ -36,9 +36,27 @@ class TetGenMesh(MeshObject):
         *FIGURES,
     )
 
+    #: What was meshed last.
+    _source: Sequence[Tuple[Any, Any]] = ()
+
+    def culprits(self, names: Sequence[str]) -> List[sources.Entity]:
+        """The faces of the source's objects that an error names by their place in its shape."""
+        wanted = [name for name in names if name.startswith("Face")]
+        if not wanted:
+            return []
+        faces = sources.picked_shape(self._source).Faces
+        found = []
+        for name in wanted:
+            face = faces[int(name[4:]) - 1]
+            for owner in dict.fromkeys(owner for owner, _ in self._source):
+                own = sources.shape_of(owner).Faces
+                found += [(owner, f"Face{n}") for n, f in enumerate(own, 1) if f.isSame(face)]
+        return found
+
     def make_mesh(self, obj: Any) -> nmgs.Mesh:
         if not obj.Source:
             raise ValueError(f"{obj.Label}: Source is empty; choose what TetGen is to fill.")
+        self._source = obj.Source
         source = tetgen_source(obj.Source)
         return run(
             lambda progress: nmgs.tetrahedralize(

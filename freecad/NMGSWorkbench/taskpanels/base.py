@@ -11,7 +11,7 @@ from PySide import QtGui
 from ..nmgs.errors import Cancelled
 from ..objects import stale
 from ..resources import icon, ui
-from . import messages
+from . import culprits, messages
 
 
 def flags_value(flags: Any) -> int:
@@ -69,7 +69,10 @@ class Panel:
             return False
         except Exception as error:
             messages.show_error(self.obj.Label, error)
+            names = getattr(error, "entities", ())
+            culprits.point_out(self.obj.Proxy.culprits(names), error)
             return False
+        culprits.clear()
         # What depends on it follows at once; its own errors are marked in the tree.
         document.recompute()
         self.fill()
@@ -91,4 +94,5 @@ class Panel:
         return True
 
     def _close(self) -> None:
+        culprits.clear()
         FreeCADGui.getDocument(self.obj.Document).resetEdit()

@@ -39,6 +39,8 @@ CULPRITS = (
 
 #: A facet in TetGen's words: "#12" behind the nodes of a triangle, or "facet 12".
 FACET = re.compile(r"\][ ]*#(\d+)|[Ff]acet #?(\d+)")
+#: Facets whose polygons go with an error, for whoever draws them.
+OUTLINED = 1000
 #: Problems that a message spells out.
 SHOWN = 3
 
@@ -99,6 +101,9 @@ def _with_facets(text: str, code: int, source: Any, log: str, progress: Progress
     error = TetGenError(text, code=code, facets=facets, log=log)
     error.problems = problems  # type: ignore[attr-defined]
     error.entities = names_of(source, facets)  # type: ignore[attr-defined]
+    error.outlines = [
+        source.points[ring] for facet in facets[:OUTLINED] for ring in source.facet(facet)
+    ]
     return error
 
 

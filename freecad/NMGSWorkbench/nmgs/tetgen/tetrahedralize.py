@@ -8,6 +8,8 @@ from typing import Any, Callable, Dict, Optional, Tuple, Union
 import numpy as np
 
 from ..cad_snap import snap_to_shape
+from ..cad_voids import voids_of
+from ..errors import TetGenError
 from ..mesh import Mesh
 from ..plc import PLC
 from . import worker
@@ -15,6 +17,7 @@ from .failures import error_of, no_tetrahedra
 from .options import TetOptions
 from .results import TetGenData, cells_of, mesh_of
 from .sources import extra_arrays, request_of, to_source
+from .validity import fault_of
 
 
 def tetrahedralize(
@@ -47,7 +50,10 @@ def tetrahedralize(
 
     The Mesh has "tetra" or "tetra10" cells (positive volume), and as "triangle" or "triangle6" the
     facets of the boundary, normals outwards; groups of facets and regions; and mesh.tetgen with
-    all else that TetGen returned. Raises TetGenError, Cancelled, ValueError, TypeError.
+    all else that TetGen returned. Every answer is looked over before it is used: numbers in range,
+    positive tetrahedra. Its volume is that of the facets to rounding, but where facets meet at more
+    than 179.9 degrees: TetGen takes such for one plane, unless -M keeps them apart (or p/180, the
+    option facet_angle). Raises TetGenError, Cancelled, ValueError, TypeError.
     """
     options = switches.copy() if isinstance(switches, TetOptions) else TetOptions.parse(switches)
     if timeout is not None and not timeout > 0:
@@ -68,9 +74,17 @@ def tetrahedralize(
         options.order = 1
     arrays["switches"] = np.frombuffer(str(options).encode("ascii"), np.uint8)
     outcome = worker.run(arrays, timeout, progress, log, memory_limit)
+    voids = voids_of(outcome.arrays, thing) if outcome.whole else None
+    if voids is not None:
+        arrays["holes"] = np.concatenate([thing.holes, voids])
+        outcome = worker.run(arrays, timeout, progress, log, memory_limit)
     if not outcome.whole:
         raise error_of(outcome, thing, timeout, progress)
     data = TetGenData(outcome.version, str(options), outcome.log)
+    reverse = options.version != "1.5" and options.reverse
+    fault = fault_of(outcome.arrays, -1 if reverse else 1)
+    if fault:
+        raise TetGenError(f"TetGen's mesh is not valid: {fault}", log=outcome.log)
     mesh = mesh_of(outcome.arrays, thing, data)
     if not (options.diagnose or options.no_tetrahedra or cells_of(mesh, "tetra", "tetra10")):
         raise no_tetrahedra(thing, data, progress)
