@@ -157,14 +157,11 @@ void bind_tets(py::module_ &module) {
     py::class_<cad::Skin, std::shared_ptr<cad::Skin>>(
         module, "Skin", "Well-shaped triangles over CAD faces, points tagged with their entity.")
         .def_property_readonly("points", [](const cad::Skin &s) { return table<double>(s.points); })
-        .def_property_readonly("on",
-                               [](const cad::Skin &s) { return table<std::int32_t>(s.on); })
+        .def_property_readonly("on", [](const cad::Skin &s) { return table<std::int32_t>(s.on); })
         .def_property_readonly("triangles",
                                [](const cad::Skin &s) { return table<std::int32_t>(s.triangles); })
-        .def_property_readonly("faces",
-                               [](const cad::Skin &s) {
-                                   return table<std::int32_t>(s.faces).reshape({-1});
-                               })
+        .def_property_readonly(
+            "faces", [](const cad::Skin &s) { return table<std::int32_t>(s.faces).reshape({-1}); })
         .def_property_readonly("edges", [](const cad::Skin &s) { return s.edges; });
     module.def("make_skin", &make_skin, py::arg("shape"), py::arg("faces"), py::arg("size") = 0.0,
                py::arg("angle") = 0.45, py::arg("limits") = DoubleArray(),

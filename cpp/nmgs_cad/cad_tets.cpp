@@ -27,14 +27,15 @@ bool has(const std::array<std::int32_t, n> &list, std::int32_t value) {
 // The mean ratio, 1 for the regular tetrahedron, negative inside out.
 double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const double volume = determinant(b - a, c - a, d - a) / 6;
-    const double sides = norm2(b - a) + norm2(c - a) + norm2(d - a) + norm2(c - b) + norm2(d - b) +
-                         norm2(d - c);
+    const double sides =
+        norm2(b - a) + norm2(c - a) + norm2(d - a) + norm2(c - b) + norm2(d - b) + norm2(d - c);
     const double root = std::cbrt(3 * std::abs(volume));
     return sides > 0 ? std::copysign(12 * root * root / sides, volume) : 0;
 }
 
-constexpr double smooth_cosine = 0.64;  // of the angle between normals: 50 degrees
+constexpr double smooth_cosine = 0.64;    // of the angle between normals: 50 degrees
 constexpr double straight_cosine = -0.76; // of the angle between edges: 140 degrees
+constexpr double grazing_sine = 0.3;      // of the angle between an edge and the skin
 
 } // namespace
 
@@ -180,8 +181,7 @@ CadTets::Middle CadTets::centre(const std::array<std::int32_t, 3> &c,
             best.p = q;
             best.uv = uv;
         }
-        if (geometry.elementary() ||
-            nearest < 0.2 * distance(points[at(c[0])], points[at(c[1])])) {
+        if (geometry.elementary() || nearest < 0.2 * distance(points[at(c[0])], points[at(c[1])])) {
             break;
         }
     }
@@ -296,6 +296,54 @@ Vec3 CadTets::direction(std::int32_t from, std::int32_t to, std::int32_t edge) {
     curve(edge).D1(chain.parameters[forward ? k : k + 1], p, d);
     const double l = d.Magnitude();
     return l > 0 ? ((forward ? 1 : -1) / l) * vec(d.XYZ()) : Vec3{0, 0, 0};
+}
+
+void CadTets::split_grazing() {
+    // Normals of the curved faces at each point of the skin.
+    std::vector<std::vector<Vec3>> normals(points.size());
+    for (const Triangle &t : triangles) {
+        for (std::size_t i = 0; i < 3 && !face(t.face).planar(); ++i) {
+            auto &list = normals[at(t.p[i])];
+            const bool alone = on[at(t.p[i])].dimension == 2;
+            if (alone && !list.empty()) {
+                continue;
+            }
+            const SurfaceFrame frame = face(t.face).frame(t.uv[i]);
+            const auto same = [&](Vec3 n) { return dot(n, frame.normal) > 0.99; };
+            if (frame.regular && std::none_of(list.begin(), list.end(), same)) {
+                list.push_back(frame.normal);
+            }
+        }
+    }
+    std::set<std::array<std::int32_t, 2>> wanted;
+    for (const Tet &t : tets) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t j = i + 1; j < 4; ++j) {
+                const std::int32_t a = t.p[i];
+                const std::int32_t b = t.p[j];
+                if (on[at(a)].dimension == 3 || on[at(b)].dimension == 3) {
+                    continue;
+                }
+                const auto &here = triangles_of_[at(a)];
+                if (std::any_of(here.begin(), here.end(),
+                                [&](std::int32_t s) { return has(triangles[at(s)].p, b); })) {
+                    continue;
+                }
+                const Vec3 d = points[at(b)] - points[at(a)];
+                const double limit = grazing_sine * norm(d);
+                const auto grazes = [&](Vec3 n) { return std::abs(dot(n, d)) < limit; };
+                for (const std::int32_t end : {a, b}) {
+                    const auto &list = normals[at(end)];
+                    if (std::any_of(list.begin(), list.end(), grazes)) {
+                        wanted.insert(pair(a, b));
+                    }
+                }
+            }
+        }
+    }
+    for (const auto &e : wanted) {
+        split(e[0], e[1]);
+    }
 }
 
 void CadTets::split_folding(int rounds) {

@@ -39,6 +39,8 @@ public:
     std::vector<Triangle> triangles;
     std::vector<Chain> chains; // by CAD edge
 
+    // Splits inner edges that graze the curved skin at an end of theirs.
+    void split_grazing();
     // Splits what folds on a curved skin: at most so many rounds.
     void split_folding(int rounds);
     // Moves inner points to where the worst tetrahedron round them is best.

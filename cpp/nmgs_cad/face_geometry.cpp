@@ -34,8 +34,8 @@ double SurfaceFrame::along(Vec3 direction) const {
 
 FaceGeometry::FaceGeometry(const TopoDS_Face &face)
     : surface_(face, Standard_True), search_(new ShapeAnalysis_Surface(BRep_Tool::Surface(face))),
-      reversed_(face.Orientation() == TopAbs_REVERSED),
-      low_{surface_.FirstUParameter(), surface_.FirstVParameter()},
+      reversed_(face.Orientation() == TopAbs_REVERSED), low_{surface_.FirstUParameter(),
+                                                             surface_.FirstVParameter()},
       high_{surface_.LastUParameter(), surface_.LastVParameter()} {
     const Vec3 a = at(low_);
     const Vec3 b = at({0.5 * (low_.u + high_.u), 0.5 * (low_.v + high_.v)});

@@ -232,8 +232,8 @@ Skin make_skin(const CadShape &shape, std::span<const int> faces, const SkinOpti
             const auto &p = mesh.triangles[t].p;
             double longest = 0;
             for (std::size_t i = 0; i < 3; ++i) {
-                longest = std::max(longest, distance(mesh.points[at(p[i])].p,
-                                                     mesh.points[at(p[(i + 1) % 3])].p));
+                longest = std::max(
+                    longest, distance(mesh.points[at(p[i])].p, mesh.points[at(p[(i + 1) % 3])].p));
             }
             for (const std::int32_t n : p) {
                 bounds[at(n)] = std::min(bounds[at(n)], 0.5 * longest);

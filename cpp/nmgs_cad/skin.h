@@ -21,7 +21,7 @@ struct Skin {
     std::vector<CadEntity> on;                          // vertex, edge or face of each point
     std::vector<std::array<std::int32_t, 3>> triangles; // counter-clockwise about the face's normal
     std::vector<std::int32_t> faces;                    // n of FaceN, one a triangle
-    std::vector<std::array<Uv, 3>> uv; // of each triangle's corners in its face
+    std::vector<std::array<Uv, 3>> uv;                  // of each triangle's corners in its face
     // Of CAD edge n at n, as Layout::edges; empty for edges of other faces and degenerated ones.
     std::vector<std::vector<std::int32_t>> edges;
     std::vector<std::vector<double>> parameters; // of these points in the edge's curve
@@ -30,10 +30,10 @@ struct Skin {
 };
 
 struct SkinOptions {
-    double size = 0;      // longest edge; 0: a sixth of the shape's diagonal
-    double angle = 0.45;  // turn of the surface along an edge, radians; small features get twice
-    double grading = 0.7; // growth of the wanted length with distance
-    double stretch = 4;   // how much longer edges may be along than across the curvature
+    double size = 0;       // longest edge; 0: a sixth of the shape's diagonal
+    double angle = 0.45;   // turn of the surface along an edge, radians; small features get twice
+    double grading = 0.7;  // growth of the wanted length with distance
+    double stretch = 4;    // how much longer edges may be along than across the curvature
     bool proximity = true; // finer where faces are near each other
     // Edges that are laid out here keep exactly these points.
     const Layout *fixed = nullptr;

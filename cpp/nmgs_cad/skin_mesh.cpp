@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/skin_mesh.h"
 
+#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -32,6 +34,11 @@ double angle_between(Vec3 a, Vec3 b) {
     return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
+std::uint64_t key_of(std::int32_t a, std::int32_t b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32U |
+           static_cast<std::uint64_t>(std::max(a, b));
+}
+
 constexpr double long_edge = 1.4;
 constexpr double short_edge = 0.7;
 constexpr double least_normal = 0.5; // cosine of a triangle's normal and the surface's
@@ -50,9 +57,24 @@ EdgeGeometry::EdgeGeometry(const TopoDS_Edge &edge)
 
 SkinMesh::SkinMesh(const CadShape &shape, const SkinOptions &options)
     : bound(at(shape.edges.Extent()) + 1, 0), inner(at(shape.edges.Extent()) + 1, 0),
-      diagonal(shape.diagonal()), shape_(shape),
-      options_(options), faces_(at(shape.faces.Extent()) + 1),
-      edges_(at(shape.edges.Extent()) + 1) {}
+      diagonal(shape.diagonal()), shape_(shape), options_(options),
+      faces_(at(shape.faces.Extent()) + 1), edges_(at(shape.edges.Extent()) + 1),
+      face_scale_(at(shape.faces.Extent()) + 1, diagonal),
+      edge_scale_(at(shape.edges.Extent()) + 1, diagonal) {
+    for (int n = 1; n <= shape.solids.Extent(); ++n) {
+        Bnd_Box box;
+        BRepBndLib::Add(shape.solid(n), box, Standard_False);
+        const double scale = box.IsVoid() ? diagonal : std::sqrt(box.SquareExtent());
+        for (TopExp_Explorer f(shape.solid(n), TopAbs_FACE); f.More(); f.Next()) {
+            double &known = face_scale_[at(shape.faces.FindIndex(f.Current()))];
+            known = std::min(known, scale);
+        }
+        for (TopExp_Explorer e(shape.solid(n), TopAbs_EDGE); e.More(); e.Next()) {
+            double &known = edge_scale_[at(shape.edges.FindIndex(e.Current()))];
+            known = std::min(known, scale);
+        }
+    }
+}
 
 const FaceGeometry &SkinMesh::face(std::int32_t n) const {
     auto &geometry = faces_[at(n)];
@@ -88,6 +110,9 @@ void SkinMesh::add_segment(std::int32_t a, std::int32_t b, std::int32_t edge) {
 }
 
 std::int32_t SkinMesh::segment(std::int32_t a, std::int32_t b) const {
+    if (points[at(a)].on.dimension == 2 || points[at(b)].on.dimension == 2) {
+        return 0;
+    }
     const auto found = segments_.find(pair(a, b));
     return found == segments_.end() ? 0 : found->second;
 }
@@ -131,8 +156,8 @@ const SkinMesh::Corner &SkinMesh::corner(std::int32_t face, std::int32_t point) 
         if (fresh) {
             double first = 0;
             double last = 0;
-            curve->second = BRep_Tool::CurveOnSurface(
-                TopoDS::Edge(shape_.edge(p.on.index)), shape_.face(face), first, last);
+            curve->second = BRep_Tool::CurveOnSurface(TopoDS::Edge(shape_.edge(p.on.index)),
+                                                      shape_.face(face), first, last);
         }
         if (curve->second.IsNull()) {
             corner.uv = geometry.nearest(p.p, {});
@@ -184,9 +209,9 @@ std::vector<std::int32_t> SkinMesh::between(std::int32_t a, std::int32_t b,
     return result;
 }
 
-double SkinMesh::turn_allowed(double curvature) const {
-    // Features under a twentieth of the size matter less and less: down to a hundredth.
-    const double radius = 1 / std::max(curvature * diagonal, 1e-9);
+double SkinMesh::turn_allowed(double curvature, double scale) const {
+    // Features under a twentieth of the solid matter less and less: down to a hundredth.
+    const double radius = 1 / std::max(curvature * scale, 1e-9);
     const double share = std::clamp(std::log(0.05 / radius) / std::log(5.0), 0.0, 1.0);
     return std::min(options_.angle * (1 + share), std::numbers::pi / 3);
 }
@@ -199,15 +224,20 @@ Vec3 SkinMesh::tangent(std::int32_t edge, double t) const {
     return l > 0 ? (1 / l) * vec(d.XYZ()) : Vec3{0, 0, 0};
 }
 
-double SkinMesh::edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge) const {
+double SkinMesh::edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge) {
     const EdgeGeometry &geometry = this->edge(edge);
     if (geometry.curve.GetType() == GeomAbs_Line) {
         return 0;
     }
+    const auto [known, fresh] = turns_.try_emplace(key_of(a, b), 0);
+    if (!fresh) {
+        return known->second;
+    }
     const auto [ta, tb] = parameters(a, b, edge);
     const double middle = 0.5 * (ta + tb);
     const Vec3 m = tangent(edge, middle);
-    return angle_between(tangent(edge, ta), m) + angle_between(m, tangent(edge, tb));
+    return known->second =
+               angle_between(tangent(edge, ta), m) + angle_between(m, tangent(edge, tb));
 }
 
 double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face) {
@@ -218,6 +248,7 @@ double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face, doubl
     const double d = distance(points[at(a)].p, points[at(b)].p);
     const double plain = d / size;
     double turn = 0;
+    double share = 1; // what is curved both ways loses twice the volume
     const std::int32_t edge = segment(a, b);
     if (edge != 0) {
         turn = edge_turn(a, b, edge);
@@ -228,11 +259,15 @@ double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face, doubl
         if (fa.regular && fb.regular) {
             turn = std::max(angle_between(fa.normal, fb.normal),
                             0.5 * d * (fa.along(along) + fb.along(along)));
+            const bool both = std::abs(fa.minor) > 0.4 * std::abs(fa.major) &&
+                              std::abs(fb.minor) > 0.4 * std::abs(fb.major);
+            share = both ? 0.75 : 1;
         } else if (fa.regular || fb.regular) {
             turn = d * (fa.regular ? fa : fb).along(along);
         }
     }
-    return d > 0 ? std::max(plain, turn / turn_allowed(turn / d)) : 0;
+    const double scale = edge != 0 ? edge_scale_[at(edge)] : face_scale_[at(face)];
+    return d > 0 ? std::max(plain, turn / (share * turn_allowed(turn / d, scale))) : 0;
 }
 
 SkinMesh::Score SkinMesh::score(std::int32_t face, const std::array<std::int32_t, 3> &p) {
@@ -251,13 +286,12 @@ SkinMesh::Score SkinMesh::score(std::int32_t face, const std::array<std::int32_t
     }
     const double s = 0.5 * (l[0] + l[1] + l[2]);
     const double area2 = s * (s - l[0]) * (s - l[1]) * (s - l[2]);
-    const double metric = area2 > 0
-                              ? 4 * std::numbers::sqrt3 * std::sqrt(area2) /
-                                    (l[0] * l[0] + l[1] * l[1] + l[2] * l[2])
-                              : 0;
+    const double metric = area2 > 0 ? 4 * std::numbers::sqrt3 * std::sqrt(area2) /
+                                          (l[0] * l[0] + l[1] * l[1] + l[2] * l[2])
+                                    : 0;
     const double area = 0.5 * norm(cross(where[1] - where[0], where[2] - where[0]));
-    const double sides = norm2(where[1] - where[0]) + norm2(where[2] - where[1]) +
-                         norm2(where[0] - where[2]);
+    const double sides =
+        norm2(where[1] - where[0]) + norm2(where[2] - where[1]) + norm2(where[0] - where[2]);
     const double plain = sides > 0 ? 4 * std::numbers::sqrt3 * area / sides : 0;
     // The metric may not excuse what is flat in space.
     result.quality = std::min(std::max(metric, 0.3 * plain), 4 * plain);
@@ -307,17 +341,21 @@ void SkinMesh::replace(std::int32_t triangle, std::int32_t from, std::int32_t to
 }
 
 std::vector<std::array<std::int32_t, 3>> SkinMesh::edges() const {
-    std::set<std::array<std::int32_t, 3>> found;
+    std::vector<std::array<std::int32_t, 3>> found;
+    found.reserve(3 * triangles.size());
     for (const Triangle &triangle : triangles) {
-        if (triangle.face == 0) {
-            continue;
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3 && triangle.face != 0; ++i) {
             const Pair key = pair(triangle.p[i], triangle.p[(i + 1) % 3]);
-            found.insert({key[0], key[1], segments_.contains(key) ? 0 : triangle.face});
+            found.push_back({key[0], key[1], triangle.face});
         }
     }
-    return {found.begin(), found.end()};
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (auto &e : found) {
+        e[2] = segment(e[0], e[1]) != 0 ? 0 : e[2];
+    }
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
 }
 
 bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool force) {
@@ -329,9 +367,10 @@ bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool for
         const auto [ta, tb] = parameters(a, b, edge);
         m.on = {1, edge};
         m.t = 0.5 * (ta + tb);
-        if (geometry.curve.GetType() != GeomAbs_Line && geometry.curve.GetType() != GeomAbs_Circle) {
-            const double length = GCPnts_AbscissaPoint::Length(
-                geometry.curve, std::min(ta, tb), std::max(ta, tb), 1e-6 * diagonal);
+        if (geometry.curve.GetType() != GeomAbs_Line &&
+            geometry.curve.GetType() != GeomAbs_Circle) {
+            const double length = GCPnts_AbscissaPoint::Length(geometry.curve, std::min(ta, tb),
+                                                               std::max(ta, tb), 1e-6 * diagonal);
             const GCPnts_AbscissaPoint half(geometry.curve, 0.5 * length, std::min(ta, tb));
             if (half.IsDone() && (half.Parameter() - ta) * (half.Parameter() - tb) < 0) {
                 m.t = half.Parameter();
@@ -597,6 +636,7 @@ void SkinMesh::split_long() {
         }
         std::sort(wanted.begin(), wanted.end());
         int done = 0;
+        const std::size_t old_points = points.size();
         std::vector<char> touched(triangles.size(), 0);
         for (const auto &[l, e] : wanted) {
             if (triangles.size() > 4 * most_triangles) {
@@ -616,7 +656,16 @@ void SkinMesh::split_long() {
         if (done == 0) {
             break;
         }
-        flip();
+        std::set<Pair> fresh;
+        for (std::size_t n = old_points; n < points.size(); ++n) {
+            for (const std::int32_t t : around[n]) {
+                const auto &p = triangles[at(t)].p;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    fresh.insert(pair(p[i], p[(i + 1) % 3]));
+                }
+            }
+        }
+        flip({fresh.begin(), fresh.end()});
     }
 }
 
@@ -628,8 +677,8 @@ void SkinMesh::collapse_short() {
             bool must = false;
             for (const std::int32_t n : {e[0], e[1]}) {
                 const SkinPoint &p = points[at(n)];
-                must = must || (e[2] == 0 && p.on.dimension == 1 && !p.kept &&
-                                bound[at(p.on.index)] != 0);
+                must = must ||
+                       (e[2] == 0 && p.on.dimension == 1 && !p.kept && bound[at(p.on.index)] != 0);
             }
             if (l < short_edge || must) {
                 wanted.emplace_back(must ? 0 : l, e);
@@ -640,8 +689,7 @@ void SkinMesh::collapse_short() {
         for (const auto &[l, e] : wanted) {
             std::int32_t from = e[0];
             std::int32_t to = e[1];
-            if (!points[at(from)].alive || !points[at(to)].alive ||
-                between(from, to).empty()) {
+            if (!points[at(from)].alive || !points[at(to)].alive || between(from, to).empty()) {
                 continue;
             }
             if (points[at(from)].on.dimension < points[at(to)].on.dimension) {
@@ -659,16 +707,39 @@ void SkinMesh::collapse_short() {
 }
 
 void SkinMesh::flip() {
-    for (int sweep = 0; sweep < 3; ++sweep) {
-        int done = 0;
-        for (const auto &e : edges()) {
-            if (e[2] != 0 && flip(e[0], e[1])) {
-                ++done;
+    std::vector<std::array<std::int32_t, 2>> work;
+    for (const auto &e : edges()) {
+        if (e[2] != 0) {
+            work.push_back({e[0], e[1]});
+        }
+    }
+    flip(std::move(work));
+}
+
+void SkinMesh::flip(std::vector<std::array<std::int32_t, 2>> work) {
+    // What a flip changed is looked at again in the next round.
+    for (int round = 0; round < 4 && !work.empty(); ++round) {
+        std::set<Pair> after;
+        for (const auto &e : work) {
+            const std::size_t count = triangles.size();
+            if (!flip(e[0], e[1])) {
+                continue;
+            }
+            for (std::size_t t = count; t < triangles.size(); ++t) {
+                for (std::size_t i = 0; i < 3; ++i) {
+                    after.insert(pair(triangles[t].p[i], triangles[t].p[(i + 1) % 3]));
+                }
             }
         }
-        if (done == 0) {
-            break;
-        }
+        work.assign(after.begin(), after.end());
+    }
+}
+
+void SkinMesh::forget(std::int32_t n) {
+    corners_[at(n)].clear();
+    if (points[at(n)].on.dimension == 1) {
+        turns_.erase(key_of(n, points[at(n)].previous));
+        turns_.erase(key_of(n, points[at(n)].next));
     }
 }
 
@@ -727,13 +798,13 @@ bool SkinMesh::smooth_point(std::int32_t n) {
             p.t = old.t + step * (t_target - old.t);
             p.p = vec(edge(old.on.index).curve.Value(p.t).XYZ());
         }
-        corners_[at(n)].clear();
+        forget(n);
         const auto after = worths();
         if (after[0] > before[0] + 1e-6 || (after[0] > 0.4 && after[1] > before[1])) {
             return true;
         }
         p = old;
-        corners_[at(n)].clear();
+        forget(n);
     }
     return false;
 }
@@ -767,7 +838,8 @@ void SkinMesh::find_sizes(const std::vector<double> &also) {
             const SurfaceFrame frame = corner(f, n).frame;
             const double k = std::max(std::abs(frame.major), 1e-12 / diagonal);
             if (frame.regular) {
-                h = std::min(h, std::max(tiny, options_.stretch * turn_allowed(k) / k));
+                h = std::min(
+                    h, std::max(tiny, options_.stretch * turn_allowed(k, face_scale_[at(f)]) / k));
             }
         }
         if (p.on.dimension == 1 && edge(p.on.index).curve.GetType() != GeomAbs_Line) {
@@ -778,7 +850,7 @@ void SkinMesh::find_sizes(const std::vector<double> &also) {
             const double l = d1.Magnitude();
             const double k = l > 0 ? d1.Crossed(d2).Magnitude() / (l * l * l) : 0;
             if (k > 0) {
-                h = std::min(h, std::max(tiny, turn_allowed(k) / k));
+                h = std::min(h, std::max(tiny, turn_allowed(k, edge_scale_[at(p.on.index)]) / k));
             }
         }
         if (at(n) < also.size()) {
@@ -795,8 +867,8 @@ void SkinMesh::find_sizes(const std::vector<double> &also) {
     for (const auto &[ends, edge] : segments_) {
         const bool given = bound[at(edge)] != 0;
         const double l = distance(points[at(ends[0])].p, points[at(ends[1])].p);
-        if (given || (points[at(ends[0])].on.dimension == 0 &&
-                      points[at(ends[1])].on.dimension == 0)) {
+        if (given ||
+            (points[at(ends[0])].on.dimension == 0 && points[at(ends[1])].on.dimension == 0)) {
             for (const std::int32_t n : ends) {
                 points[at(n)].size = std::min(points[at(n)].size, 1.2 * l);
             }

@@ -26,11 +26,11 @@ struct EdgeGeometry {
 struct SkinPoint {
     Vec3 p{0, 0, 0};
     CadEntity on{2, 0};
-    double t = 0;                        // on an edge
-    Uv uv;                               // on a face
+    double t = 0;                          // on an edge
+    Uv uv;                                 // on a face
     std::int32_t previous = -1, next = -1; // on an edge: its neighbours along the curve
-    double size = 0;                     // wanted length of the edges here
-    bool kept = false;                   // may neither move nor go
+    double size = 0;                       // wanted length of the edges here
+    bool kept = false;                     // may neither move nor go
     std::int32_t source = -1;
     bool alive = true;
 };
@@ -46,8 +46,8 @@ public:
     std::vector<SkinPoint> points;
     std::vector<Triangle> triangles;
     std::vector<std::vector<std::int32_t>> around; // triangles of each point
-    std::vector<char> bound; // by CAD edge: its division is given
-    std::vector<int> inner;  // by CAD edge: points between its ends
+    std::vector<char> bound;                       // by CAD edge: its division is given
+    std::vector<int> inner;                        // by CAD edge: points between its ends
     [[nodiscard]] bool closed(std::int32_t edge) const;
 
     void add_triangle(std::array<std::int32_t, 3> p, std::int32_t face);
@@ -69,6 +69,7 @@ public:
     void split_long();
     void collapse_short();
     void flip();
+    void flip(std::vector<std::array<std::int32_t, 2>> work);
     void smooth();
     void cut_ears();
     // No two points joined by curves of two faces, or by one beside a segment.
@@ -88,7 +89,7 @@ public:
     bool split(std::int32_t a, std::int32_t b, std::int32_t face, bool force = false);
     bool collapse(std::int32_t from, std::int32_t to, bool force = false);
     bool flip(std::int32_t a, std::int32_t b);
-    [[nodiscard]] double turn_allowed(double curvature) const;
+    [[nodiscard]] double turn_allowed(double curvature, double scale) const;
     [[nodiscard]] std::vector<std::array<std::int32_t, 3>> edges() const; // a, b, face or 0
     double diagonal = 0;
 
@@ -99,11 +100,13 @@ private:
     };
     Score score(std::int32_t face, const std::array<std::int32_t, 3> &p);
     // With point p[0] at another place.
-    double normal_of(const std::array<Vec3, 3> &at, const std::array<SurfaceFrame, 3> &frames) const;
-    double edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge) const;
+    double normal_of(const std::array<Vec3, 3> &at,
+                     const std::array<SurfaceFrame, 3> &frames) const;
+    double edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge);
     void replace(std::int32_t triangle, std::int32_t from, std::int32_t to);
     void remove(std::int32_t triangle);
     bool smooth_point(std::int32_t n);
+    void forget(std::int32_t n); // what is known of a point that moves
     Vec3 tangent(std::int32_t edge, double t) const;
     std::int32_t new_point(const SkinPoint &point);
     // Between the segments from b to a and to c.
@@ -112,9 +115,11 @@ private:
     const CadShape &shape_;
     const SkinOptions &options_;
     std::map<std::array<std::int32_t, 2>, std::int32_t> segments_;
+    std::unordered_map<std::uint64_t, double> turns_; // of segments
     std::vector<std::vector<std::pair<std::int32_t, Corner>>> corners_;
     mutable std::vector<std::unique_ptr<FaceGeometry>> faces_;
     mutable std::vector<std::unique_ptr<EdgeGeometry>> edges_;
+    std::vector<double> face_scale_, edge_scale_; // size of the smallest solid that has it
     std::map<std::array<std::int32_t, 2>, Handle(Geom2d_Curve)> pcurves_;
 };
 

@@ -172,8 +172,7 @@ void Start::mend() {
             halve(e, longest);
         }
         if (t.size() == 2) {
-            const auto [other, fresh] =
-                single.try_emplace({std::min(a, b), std::max(a, b)}, e);
+            const auto [other, fresh] = single.try_emplace({std::min(a, b), std::max(a, b)}, e);
             if (!fresh) {
                 // Either may be straight; both get a point.
                 halve(e, 0);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numeric>
 
 namespace nmgs::cad {
@@ -27,26 +29,49 @@ struct Cells {
     std::vector<char> free;
     std::vector<std::array<std::int32_t, 8>> hexas;
     std::vector<std::vector<std::int32_t>> around;
+    // Of each hexahedron: its place in ends, or -1. By 3 * corner + direction the far end of the
+    // tetrahedron's edge, of which this is a half, where the CAD bends it; else -1.
+    std::vector<std::int32_t> bent;
+    std::vector<std::array<std::int32_t, 24>> ends;
+    // Points in faces that may move along them, and how.
+    std::map<std::int32_t, std::pair<int, Uv>> sliding;
+    std::function<Vec3(int face, Uv guess, Vec3 p)> onto;
 
-    [[nodiscard]] double corner(const std::array<std::int32_t, 8> &h, std::size_t c) const {
-        const Vec3 o = points[at(h[c])];
-        const Vec3 u = points[at(h[next[c][0]])] - o;
-        const Vec3 v = points[at(h[next[c][1]])] - o;
-        const Vec3 w = points[at(h[next[c][2]])] - o;
+    static double scaled(Vec3 u, Vec3 v, Vec3 w) {
         const double l = norm(u) * norm(v) * norm(w);
         return l > 0 ? determinant(u, v, w) / l : -1;
     }
-    [[nodiscard]] double worst(const std::array<std::int32_t, 8> &h) const {
+    [[nodiscard]] double worst(std::int32_t number) const {
+        const auto &h = hexas[at(number)];
         double least = 1;
         for (std::size_t c = 0; c < 8; ++c) {
-            least = std::min(least, corner(h, c));
+            const Vec3 o = points[at(h[c])];
+            std::array<Vec3, 3> d{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                d[i] = points[at(h[next[c][i]])] - o;
+            }
+            least = std::min(least, scaled(d[0], d[1], d[2]));
+            if (bent[at(number)] >= 0) {
+                const auto &own = ends[at(bent[at(number)])];
+                bool any = false;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const std::int32_t far = own[3 * c + i];
+                    if (far >= 0) {
+                        // The tangent of the quadratic at its end, and in its middle.
+                        d[i] = c == 0 ? 4.0 * points[at(h[next[0][i]])] - 3.0 * o - points[at(far)]
+                                      : points[at(h[0])] - points[at(far)];
+                        any = true;
+                    }
+                }
+                least = any ? std::min(least, scaled(d[0], d[1], d[2])) : least;
+            }
         }
         return least;
     }
     [[nodiscard]] double worst_around(std::int32_t n) const {
         double least = 1;
         for (const std::int32_t h : around[at(n)]) {
-            least = std::min(least, worst(hexas[at(h)]));
+            least = std::min(least, worst(h));
         }
         return least;
     }
@@ -61,9 +86,12 @@ void Cells::move(std::int32_t n, double &worst) {
     }
     double step = 0.1 * size / static_cast<double>(around[at(n)].size());
     Vec3 last{0, 0, 0};
+    const auto slide = sliding.find(n);
     const auto attempt = [&](Vec3 d) {
         const Vec3 old = points[at(n)];
-        points[at(n)] = old + d;
+        points[at(n)] = slide == sliding.end()
+                            ? old + d
+                            : onto(slide->second.first, slide->second.second, old + d);
         const double now = worst_around(n);
         if (now > worst + 1e-9) {
             worst = now;
@@ -83,6 +111,8 @@ void Cells::move(std::int32_t n, double &worst) {
     }
 }
 
+constexpr double poor = 0.04; // what also points on faces move for
+
 // Moves the free points of the worst hexahedra; the worst value left.
 double Cells::improve(double good, int sweeps, const Progress &progress) {
     double least = 1;
@@ -91,7 +121,7 @@ double Cells::improve(double good, int sweeps, const Progress &progress) {
         std::vector<std::pair<double, std::int32_t>> bad;
         least = 1;
         for (std::size_t h = 0; h < hexas.size(); ++h) {
-            const double q = worst(hexas[h]);
+            const double q = worst(static_cast<std::int32_t>(h));
             least = std::min(least, q);
             if (q < good) {
                 bad.emplace_back(q, static_cast<std::int32_t>(h));
@@ -104,7 +134,8 @@ double Cells::improve(double good, int sweeps, const Progress &progress) {
         std::vector<char> seen(points.size(), 0);
         for (const auto &[q, h] : bad) {
             for (const std::int32_t n : hexas[at(h)]) {
-                if (free[at(n)] != 0 && seen[at(n)] == 0) {
+                const bool slides = q < poor && 2 * sweep >= sweeps && sliding.contains(n);
+                if ((free[at(n)] != 0 || slides) && seen[at(n)] == 0) {
                     seen[at(n)] = 1;
                     double now = worst_around(n);
                     move(n, now);
@@ -120,11 +151,16 @@ double Cells::improve(double good, int sweeps, const Progress &progress) {
 TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const SolidTets> solids,
                        Layout &layout, const Progress &progress) {
     CadTets mesh(shape, skin, solids);
+    mesh.split_grazing();
     mesh.split_folding(4);
     poll(progress, 0.1);
     mesh.smooth(6);
     poll(progress, 0.2);
 
+    Cells cells;
+    cells.onto = [&](int face, Uv guess, Vec3 p) {
+        return mesh.face(face).at(mesh.face(face).nearest(p, guess));
+    };
     // Points of the layout: corners, middles of edges, of faces, of tetrahedra.
     const auto first = static_cast<std::int32_t>(layout.points.size());
     std::vector<std::int32_t> number(mesh.points.size(), -1);
@@ -146,6 +182,9 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
                 m.on.index = solid;
             }
             known->second = layout.add_point(m.p, m.on);
+            if (m.on.dimension == 2) {
+                cells.sliding[known->second] = {m.on.index, m.uv};
+            }
         }
         return known->second;
     };
@@ -159,6 +198,9 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
                                         layout.points[at(middle(c[2], c[0], solid))]};
             const auto f = mesh.centre(c, m, solid);
             known->second = layout.add_point(f.p, f.on);
+            if (f.on.dimension == 2) {
+                cells.sliding[known->second] = {f.on.index, f.uv};
+            }
         }
         return known->second;
     };
@@ -185,15 +227,15 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
             const std::int32_t i = p[others[v][0]];
             const std::int32_t j = p[others[v][1]];
             const std::int32_t k = p[others[v][2]];
-            layout.hexas.push_back({{corner(o), middle(o, i, solid), centre({o, i, j}, solid),
-                                     middle(o, j, solid), middle(o, k, solid),
-                                     centre({o, i, k}, solid), inside, centre({o, j, k}, solid)},
-                                    solid});
+            layout.hexas.push_back(
+                {{corner(o), middle(o, i, solid), centre({o, i, j}, solid), middle(o, j, solid),
+                  middle(o, k, solid), centre({o, i, k}, solid), inside, centre({o, j, k}, solid)},
+                 solid});
             tet_of.push_back(static_cast<std::int32_t>(t));
         }
         if (t % 256 == 0) {
-            poll(progress, 0.2 + 0.3 * static_cast<double>(t) /
-                                     static_cast<double>(mesh.tets.size()));
+            poll(progress,
+                 0.2 + 0.3 * static_cast<double>(t) / static_cast<double>(mesh.tets.size()));
         }
     }
     for (const auto &t : mesh.triangles) {
@@ -218,7 +260,6 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
         }
     }
 
-    Cells cells;
     cells.points = layout.points;
     cells.free.assign(layout.points.size(), 0);
     for (std::size_t n = at(first); n < layout.points.size(); ++n) {
@@ -231,8 +272,38 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
         }
         cells.hexas.push_back(layout.hexas[h].points);
     }
+    // Edges on the skin, as quadratics through the layout's three points.
+    cells.bent.assign(cells.hexas.size(), -1);
+    for (std::size_t h = 0; h < cells.hexas.size(); ++h) {
+        const auto &p = mesh.tets[at(tet_of[h])].p;
+        const std::size_t v = h % 4;
+        const Vec3 o = mesh.points[at(p[v])];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int32_t m = middle(p[v], p[others[v][i]], 0);
+            const Vec3 b = mesh.points[at(p[others[v][i]])];
+            const Vec3 middle_point = cells.points[at(m)];
+            if (layout.on[at(m)].dimension == 3 ||
+                norm(middle_point - 0.5 * (o + b)) < 1e-4 * norm(b - o)) {
+                continue;
+            }
+            if (cells.bent[h] < 0) {
+                cells.bent[h] = static_cast<std::int32_t>(cells.ends.size());
+                cells.ends.emplace_back();
+                cells.ends.back().fill(-1);
+            }
+            auto &own = cells.ends.back();
+            // The hexahedron's corners beside its first are 1, 3 and 4.
+            const std::size_t there = next[0][i];
+            own[i] = corner(p[others[v][i]]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (next[there][k] == 0) {
+                    own[3 * there + k] = own[i];
+                }
+            }
+        }
+    }
     constexpr double good = 0.12;
-    constexpr int sweeps = 8;
+    constexpr int sweeps = 10;
     TetHexas result;
     result.worst = cells.improve(good, sweeps, progress);
     layout.points = cells.points;
@@ -243,7 +314,7 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     constexpr double bent = 1e-3;
     std::int32_t last = -1;
     for (std::size_t h = 0; h < cells.hexas.size(); ++h) {
-        const double quality = cells.worst(cells.hexas[h]);
+        const double quality = cells.worst(static_cast<std::int32_t>(h));
         if (quality > folded || tet_of[h] == last) {
             continue;
         }

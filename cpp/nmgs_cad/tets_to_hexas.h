@@ -22,7 +22,7 @@ struct SolidTets {
 };
 
 struct TetHexas {
-    double worst = 0; // scaled Jacobian at the corners of the hexahedra
+    double worst = 0;                       // scaled Jacobian at the corners of the hexahedra
     std::vector<SkinOptions::Limit> folded; // where the skin must be finer, and how fine
 };
 

@@ -154,9 +154,8 @@ TEST(Skin, IsFinerWhereALimitSaysSo) {
 
 TEST(Skin, StopsWhenAsked) {
     const CadShape shape = nmgs::cad::make_shape(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape());
-    EXPECT_THROW(
-        nmgs::cad::make_skin(shape, all_faces(shape), {}, [](double) { return false; }),
-        nmgs::Cancelled);
+    EXPECT_THROW(nmgs::cad::make_skin(shape, all_faces(shape), {}, [](double) { return false; }),
+                 nmgs::Cancelled);
 }
 
 } // namespace
