@@ -93,7 +93,10 @@ BoundaryLoop nodes_along(const CadShape &shape, const EdgeUse &use, const Layout
         }
         node.out = tangent(curve, at[i], use.forward);
         const std::size_t next = use.forward ? i + 1 : i - 1;
-        node.middle = vec(curve.Value(0.5 * (at[i] + at[next])).XYZ());
+        const double half = 0.5 * (at[i] + at[next]);
+        node.middle = vec(curve.Value(half).XYZ());
+        node.uv_middle =
+            use.at(use.first + (half - first) / (last - first) * (use.last - use.first));
         nodes.push_back(node);
     }
     return nodes;

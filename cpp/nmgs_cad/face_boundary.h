@@ -23,6 +23,7 @@ struct BoundaryNode {
     // Unit tangents of the boundary into the node and out of it; zero along degenerated edges.
     Vec3 in{}, out{};
     Vec3 middle{}; // of the segment that starts here
+    Uv uv_middle{};
 };
 
 using BoundaryLoop = std::vector<BoundaryNode>;

@@ -67,6 +67,7 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     for (int round = 0; round < 3; ++round) {
         poll(progress, 0);
         std::vector<char> was_general;
+        was_general.reserve(plans.size());
         for (const FacePlan &plan : plans) {
             was_general.push_back(plan.general() ? 1 : 0);
         }

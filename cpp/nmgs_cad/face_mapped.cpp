@@ -142,6 +142,23 @@ std::optional<FaceMesh> mapped_quads(const FaceSurface &surface, const LogicalSi
     if (worst_quality(mesh) < good) {
         smooth_quads(mesh, surface, 10, 20);
     }
+    // Sides inside bend as the boundary's on both ends of their row do.
+    for (std::size_t i = 0; i < m; ++i) {
+        const Uv low = mesh.bend(node(i, 0), node(i + 1, 0));
+        const Uv high = mesh.bend(node(i, n), node(i + 1, n));
+        for (std::size_t j = 1; j < n; ++j) {
+            const double t = 0.5 * (left[j] + right[j]);
+            mesh.set_middle(surface, node(i, j), node(i + 1, j), (1 - t) * low + t * high);
+        }
+    }
+    for (std::size_t j = 0; j < n; ++j) {
+        const Uv low = mesh.bend(node(0, j), node(0, j + 1));
+        const Uv high = mesh.bend(node(m, j), node(m, j + 1));
+        for (std::size_t i = 1; i < m; ++i) {
+            const double t = 0.5 * (bottom[i] + top[i]);
+            mesh.set_middle(surface, node(i, j), node(i, j + 1), (1 - t) * low + t * high);
+        }
+    }
     return mesh;
 }
 

@@ -25,6 +25,18 @@ void FaceMesh::move(const FaceSurface &surface, std::int32_t n, Uv p) {
     normals[i] = surface.normal(p);
 }
 
+Uv FaceMesh::bend(std::int32_t a, std::int32_t b) const {
+    const Rim &from = rim[static_cast<std::size_t>(a)];
+    const Rim &to = rim[static_cast<std::size_t>(b)];
+    return from.after == b ? from.bend_after : to.after == a ? to.bend_after : Uv{0, 0};
+}
+
+void FaceMesh::set_middle(const FaceSurface &surface, std::int32_t a, std::int32_t b, Uv bend) {
+    const Uv half =
+        0.5 * (uv[static_cast<std::size_t>(a)] + uv[static_cast<std::size_t>(b)]) + bend;
+    middles[{std::min(a, b), std::max(a, b)}] = surface.at(half);
+}
+
 FaceMesh face_mesh_of(const FaceSurface &surface, const std::vector<BoundaryLoop> &boundary,
                       std::vector<std::vector<std::int32_t>> &numbers) {
     FaceMesh mesh;
@@ -55,6 +67,7 @@ FaceMesh face_mesh_of(const FaceSurface &surface, const std::vector<BoundaryLoop
                 rim.to_before = -1.0 * node.in;
                 rim.to_after = node.out;
                 rim.middle_after = node.middle;
+                rim.bend_after = node.uv_middle - 0.5 * (node.uv + loop[(i + 1) % loop.size()].uv);
                 mesh.rim.push_back(rim);
             } else {
                 // Touched once more: what the boundary is there has no single answer.
@@ -155,7 +168,11 @@ double curved_quality(const FaceMesh &mesh, const FaceSurface &surface) {
                 return mesh.layout_point[x] >= 0 && mesh.layout_point[y] >= 0 &&
                        mesh.rim[x].after == static_cast<std::int32_t>(y);
             };
-            if (follows(a, b)) {
+            const auto given = mesh.middles.find(
+                {std::min(quad[c], quad[(c + 1) % 4]), std::max(quad[c], quad[(c + 1) % 4])});
+            if (given != mesh.middles.end()) {
+                nodes[4 + c] = given->second;
+            } else if (follows(a, b)) {
                 nodes[4 + c] = mesh.rim[a].middle_after;
             } else if (follows(b, a)) {
                 nodes[4 + c] = mesh.rim[b].middle_after;
@@ -211,6 +228,11 @@ void put(const FaceMesh &mesh, int face, Layout &layout) {
         if (number[n] < 0 && used[n] != 0) {
             number[n] = layout.add_point(mesh.points[n], {2, face});
         }
+    }
+    for (const auto &[ends, middle] : mesh.middles) {
+        const std::int32_t a = number[static_cast<std::size_t>(ends[0])];
+        const std::int32_t b = number[static_cast<std::size_t>(ends[1])];
+        layout.middles[{std::min(a, b), std::max(a, b)}] = middle;
     }
     for (const auto &quad : mesh.quads) {
         Layout::Quad q{{}, face};

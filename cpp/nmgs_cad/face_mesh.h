@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace nmgs::cad {
@@ -24,13 +25,19 @@ struct FaceMesh {
         std::int32_t before = -1, after = -1;
         Vec3 to_before{}, to_after{};
         Vec3 middle_after{}; // of the CAD's curve to the node after
+        Uv bend_after{};     // its parameters against the mean of those of both nodes
     };
     std::vector<Rim> rim;
+    // Middles of sides inside that follow the boundary's bend, ends ascending.
+    std::map<std::array<std::int32_t, 2>, Vec3> middles;
 
     [[nodiscard]] bool fixed(std::int32_t n) const {
         return layout_point[static_cast<std::size_t>(n)] >= 0;
     }
     std::int32_t add(const FaceSurface &surface, Uv p);
+    // How the boundary bends between two neighbours on it, in the parameters.
+    [[nodiscard]] Uv bend(std::int32_t a, std::int32_t b) const;
+    void set_middle(const FaceSurface &surface, std::int32_t a, std::int32_t b, Uv bend);
     void move(const FaceSurface &surface, std::int32_t n, Uv p);
 };
 

@@ -92,6 +92,10 @@ std::optional<FaceMesh> two_rows(const FaceSurface &surface, FaceMesh mesh, cons
     }
     mesh.quads.push_back({c[n - 1], a[n - 1], a[n], partner(n - 1)});
     smooth_quads(mesh, surface, 3, 20);
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        mesh.set_middle(surface, c[i], c[i + 1],
+                        0.5 * (mesh.bend(a[i], a[i + 1]) + mesh.bend(partner(i), partner(i + 1))));
+    }
     return mesh;
 }
 

@@ -49,6 +49,7 @@ std::optional<FaceMesh> ring_quads(const FaceSurface &surface,
     constexpr double longest = 2;
     const int layers = std::clamp(static_cast<int>(std::lround(way / (longest * segment))), 1, 12);
     std::vector<std::int32_t> outer = numbers[0];
+    std::vector<std::vector<std::int32_t>> between;
     for (int k = 1; k <= layers; ++k) {
         std::vector<std::int32_t> inner;
         for (std::size_t i = 0; i < n; ++i) {
@@ -62,10 +63,22 @@ std::optional<FaceMesh> ring_quads(const FaceSurface &surface,
             mesh.quads.push_back({outer[i], outer[j], inner[j], inner[i]});
         }
         outer = inner;
+        if (k < layers) {
+            between.push_back(inner);
+        }
     }
     constexpr double good = 0.7;
     if (layers > 1 && worst_quality(mesh) < good) {
         smooth_quads(mesh, surface, 5, 20);
+    }
+    for (std::size_t k = 0; k < between.size(); ++k) {
+        const double t = static_cast<double>(k + 1) / layers;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t j = (i + 1) % n;
+            mesh.set_middle(surface, between[k][i], between[k][j],
+                            (1 - t) * mesh.bend(numbers[0][i], numbers[0][j]) +
+                                t * mesh.bend(partner(i, best), partner(j, best)));
+        }
     }
     return mesh;
 }
