@@ -18,7 +18,7 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
         double pieces; // of the solid's extent, 0: any length
     };
     constexpr Step steps[] = {{1, 0}, {0.5, 0}, {1, 10}, {0.5, 20}, {0.25, 30}};
-    constexpr std::size_t enough = 20000; // hexahedra: no finer than this
+    constexpr std::size_t enough = 3000; // hexahedra: no finer than this
     std::optional<Layout> best;
     double quality = -2;
     for (const Step &step : steps) {

@@ -86,14 +86,18 @@ struct Loft {
     std::vector<std::size_t> ring_of;       // of each layer's interval
     std::map<int, EdgeCurve> curves;
     std::map<int, FaceProjection> projections;
+    std::map<int, FaceSurface> surfaces;
     std::map<std::array<std::size_t, 2>, int> edge_between; // boundary nodes joined along an edge
 
     EdgeCurve &curve(int e) { return curves.try_emplace(e, shape.edge(e)).first->second; }
     FaceProjection &face(int f) { return projections.try_emplace(f, shape.face(f)).first->second; }
 
+    FaceSurface &surface(int f) { return surfaces.try_emplace(f, shape.face(f)).first->second; }
+
     void collect();
     void follow();
     [[nodiscard]] std::size_t segments(std::size_t ring);
+    Uv parameters(const LoftWall &wall, const EdgeUse &use, double f);
     Vec3 on_wall(const LoftWall &wall, double s, double t);
     void place_boundary();
     void place_inside();
@@ -177,9 +181,9 @@ std::size_t Loft::segments(std::size_t ring) {
     for (const auto &[e, wall] : rings.rings[ring]) {
         const EdgeCurve &side = curve(wall.right.edge);
         double sum = 0;
-        for (int i = 0; i < 8; ++i) {
-            const Vec3 a = side.tangent(i / 8.0);
-            const Vec3 b = side.tangent((i + 1) / 8.0);
+        for (int i = 0; i < 32; ++i) {
+            const Vec3 a = side.tangent(i / 32.0);
+            const Vec3 b = side.tangent((i + 1) / 32.0);
             sum += std::acos(std::clamp(dot(a, b), -1.0, 1.0));
         }
         turn = std::max(turn, sum);
@@ -187,20 +191,21 @@ std::size_t Loft::segments(std::size_t ring) {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(turn / angle - 0.01)));
 }
 
-// Fractions along the low edge's use and up.
+// Parameters of the wall's surface at a fraction along a use of one of its edges.
+Uv Loft::parameters(const LoftWall &wall, const EdgeUse &use, double f) {
+    const double g = use.forward ? f : 1 - f;
+    return surface(wall.face).nearest(curve(use.edge).at(g),
+                                      use.at(use.first + g * (use.last - use.first)));
+}
+
+// At fractions along the low edge's use and up: by parameters, which follow a wall that is bent.
 Vec3 Loft::on_wall(const LoftWall &wall, double s, double t) {
-    const auto use = [&](const EdgeUse &u, double f) {
-        return curve(u.edge).at(u.forward ? f : 1 - f);
-    };
-    const Vec3 low = use(wall.low, s);
-    const Vec3 high = use(wall.high, 1 - s);
-    const Vec3 right = use(wall.right, t);
-    const Vec3 left = use(wall.left, 1 - t);
-    const Vec3 corners = (1 - t) * ((1 - s) * use(wall.low, 0) + s * use(wall.low, 1)) +
-                         t * ((1 - s) * use(wall.high, 1) + s * use(wall.high, 0));
-    FaceProjection &surface = face(wall.face);
-    surface.forget();
-    return surface.nearest((1 - t) * low + t * high + (1 - s) * left + s * right - corners);
+    const auto at_use = [&](const EdgeUse &use, double f) { return parameters(wall, use, f); };
+    const Uv corners = (1 - t) * ((1 - s) * at_use(wall.low, 0) + s * at_use(wall.low, 1)) +
+                       t * ((1 - s) * at_use(wall.high, 1) + s * at_use(wall.high, 0));
+    const Uv sides = (1 - t) * at_use(wall.low, s) + t * at_use(wall.high, 1 - s) +
+                     (1 - s) * at_use(wall.left, 1 - t) + s * at_use(wall.right, t);
+    return surface(wall.face).at(sides - corners);
 }
 
 void Loft::place_boundary() {
@@ -407,7 +412,7 @@ bool fill_loft(const CadShape &shape, int solid, Layout &layout, const LayoutOpt
     if (!layout_face(shape, rings->source, scratch, options, refusal, progress)) {
         return false;
     }
-    Loft loft{shape, *rings, scratch, options.angle, {}, {}, {}, 0, {}, {}, {}, {}, {}, {}, {}};
+    Loft loft{shape, *rings, scratch, options.angle, {}, {}, {}, 0, {}, {}, {}, {}, {}, {}, {}, {}};
     loft.collect();
     loft.follow();
     loft.place_boundary();

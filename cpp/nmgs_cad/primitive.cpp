@@ -133,6 +133,10 @@ bool Turned::cut(const TopoDS_Shape &profile, double scale, Refusal &refusal) {
         for (auto &core :
              profile_cores(TopoDS::Face(faces(f)), section.motion.axis, tolerance, scale)) {
             for (std::size_t i = 0; i + 1 < core.line.size(); ++i) {
+                if (distance(core.line[i], core.line[i + 1]) < 10 * tolerance) {
+                    refusal = {"no room for a core along the axis", {entity_name(3, solid)}};
+                    return false;
+                }
                 arguments.Append(
                     BRepBuilderAPI_MakeEdge(pnt(core.line[i]), pnt(core.line[i + 1])).Edge());
             }
@@ -390,7 +394,7 @@ std::optional<HexaMesh> turn(const CadShape &shape, int solid, const LayoutOptio
 // into balls, and cylinders and cones over ellipses into round ones.
 std::array<gp_GTrsf, 2> rounding(const TopoDS_Solid &solid) {
     GProp_GProps properties;
-    BRepGProp::VolumeProperties(solid, properties);
+    BRepGProp::VolumeProperties(solid, properties, 1e-8, Standard_False, Standard_False);
     const GProp_PrincipalProps principal = properties.PrincipalProperties();
     double ix = 0;
     double iy = 0;

@@ -51,8 +51,9 @@ struct End {
     [[nodiscard]] bool flat_until(double radius, double slope) const {
         for (std::size_t i = 1; i < run.size(); ++i) {
             const double dr = run[i].r - run[i - 1].r;
-            const double dz = std::abs(run[i].z - run[i - 1].z);
-            if (dz > slope * dr) {
+            const double inwards = -side * (run[i].z - run[i - 1].z);
+            // Away from the profile's inside the rest gets an obtuse corner: never mind.
+            if (inwards > slope * dr || -inwards > 3 * slope * dr) {
                 return false;
             }
             if (run[i].r >= radius) {
@@ -167,13 +168,13 @@ std::vector<ProfileCore> profile_cores(const TopoDS_Face &profile, const gp_Ax1 
                 }
             }
         }
-        double widest = 0;
         for (const auto &e : end) {
+            double widest = 0;
             for (const Place p : e.run) {
                 widest = std::max(widest, p.r);
             }
+            clear = std::min(clear, widest);
         }
-        clear = std::min(clear, widest);
         const double core = scale * clear;
         ProfileCore cut;
         cut.low = end[0].edge;
@@ -194,6 +195,9 @@ std::vector<ProfileCore> profile_cores(const TopoDS_Face &profile, const gp_Ax1 
                 line[e].push_back(at_radius(end[e].edge, plane, from_last, core));
                 partner[e].push_back(pole);
                 continue;
+            }
+            if (-end[e].side * (run.back().z - run.front().z) < 0 && run.back().r > tolerance) {
+                return {}; // a steep hollow
             }
             // Where the end turns down by more than 45 degrees, or two cores away.
             std::size_t at = 1;

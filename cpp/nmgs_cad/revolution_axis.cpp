@@ -111,13 +111,9 @@ std::optional<RevolutionAxis> revolution_axis(const CadShape &shape, int solid, 
     std::vector<gp_Pnt> poles;
     TopTools_IndexedMapOfShape edges;
     TopExp::MapShapes(body, TopAbs_EDGE, edges);
-    for (TopExp_Explorer it(body, TopAbs_FACE); it.More(); it.Next()) {
-        axes.add(TopoDS::Face(it.Current()));
-    }
     for (int e = 1; e <= edges.Extent(); ++e) {
         const TopoDS_Edge edge = TopoDS::Edge(edges(e));
         if (!BRep_Tool::Degenerated(edge)) {
-            axes.add(edge);
             continue;
         }
         const gp_Pnt p = BRep_Tool::Pnt(TopExp::FirstVertex(edge));
@@ -127,6 +123,14 @@ std::optional<RevolutionAxis> revolution_axis(const CadShape &shape, int solid, 
             }
         }
         poles.push_back(p);
+    }
+    for (TopExp_Explorer it(body, TopAbs_FACE); it.More(); it.Next()) {
+        axes.add(TopoDS::Face(it.Current()));
+    }
+    for (int e = 1; e <= edges.Extent(); ++e) {
+        if (!BRep_Tool::Degenerated(TopoDS::Edge(edges(e)))) {
+            axes.add(TopoDS::Edge(edges(e)));
+        }
     }
     refusal = {"no axis about which all its faces turn", {entity_name(3, solid)}};
     for (const gp_Ax1 &axis : axes.list) {

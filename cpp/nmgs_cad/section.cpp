@@ -3,6 +3,7 @@
 
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/face_normals.h"
+#include "nmgs_cad/section_neighbours.h"
 
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepAdaptor_Curve.hxx>
@@ -49,12 +50,13 @@ struct Prism {
         }
         return t;
     }
-    bool classify(Refusal &refusal);
+    bool classify(const Layout &layout, Refusal &refusal);
     bool check_edges(Refusal &refusal) const;
     [[nodiscard]] bool across(const TopoDS_Edge &edge) const;
 };
 
-bool Prism::classify(Refusal &refusal) {
+bool Prism::classify(const Layout &layout, Refusal &refusal) {
+    levels = levels_of_neighbours(shape, solid, direction, tolerance, layout);
     for (TopExp_Explorer it(shape.solid(solid), TopAbs_VERTEX); it.More(); it.Next()) {
         levels.push_back(dot(vec(BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).XYZ()), direction));
     }
@@ -205,11 +207,11 @@ void fill_columns(const TopoDS_Solid &solid, const TopoDS_Shape &arrangement, Se
     section.cad = make_shape(kept);
 }
 
-bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, Section &section,
-                   Refusal &refusal) {
+bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, const Layout &layout,
+                   Section &section, Refusal &refusal) {
     Prism prism{shape, solid, vec(direction.XYZ()), 1e-5 * extent_of(shape.solid(solid)), {}, {},
                 0,     {}};
-    if (!prism.classify(refusal)) {
+    if (!prism.classify(layout, refusal)) {
         return false;
     }
     if (prism.caps.size() < 2) {
@@ -221,7 +223,7 @@ bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, Se
     section.levels = prism.levels;
     section.base = prism.cap_level[0];
     TopoDS_Shape arrangement;
-    if (prism.caps.size() == 2 && section.levels.size() == 2 &&
+    if (prism.caps.size() == 2 &&
         static_cast<std::size_t>(count(prism.caps[0], TopAbs_EDGE)) == prism.walls &&
         static_cast<std::size_t>(count(prism.caps[1], TopAbs_EDGE)) == prism.walls) {
         arrangement = prism.caps[0];

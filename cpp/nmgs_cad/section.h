@@ -9,6 +9,7 @@
 #include <TopoDS_Solid.hxx>
 #include <gp_Ax1.hxx>
 
+#include <functional>
 #include <vector>
 
 namespace nmgs::cad {
@@ -33,12 +34,20 @@ struct Section {
     bool closed = false;        // a full turn: the last level is the first one again
     // Of face n (from 1) and the interval after level k: filled[n][k].
     std::vector<std::vector<char>> filled;
+
+    struct Height {
+        double level;
+        bool exact; // on a cap; otherwise between the column's caps
+    };
+    // Where caps are not all across the motion: how high level k lies over a place of face n.
+    // Asked of levels that the column reaches. Empty: levels are what they say.
+    std::function<Height(int face, Vec3 place, std::size_t k)> height;
 };
 
 // The section of a solid along a direction. False and why: some face is neither wall nor cap, or an
-// edge runs across a wall.
-bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, Section &section,
-                   Refusal &refusal);
+// edge runs across a wall. Points of the layout along edges make levels too.
+bool section_along(const CadShape &shape, int solid, const gp_Dir &direction, const Layout &layout,
+                   Section &section, Refusal &refusal);
 
 // The arrangement's faces over which the solid has anything become section.cad, and section.filled
 // is found; levels, base and motion are given.

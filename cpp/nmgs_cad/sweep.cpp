@@ -5,6 +5,7 @@
 #include "nmgs_cad/fill_finer.h"
 #include "nmgs_cad/loft.h"
 #include "nmgs_cad/section.h"
+#include "nmgs_cad/section_slopes.h"
 
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -59,13 +60,26 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     for (const gp_Dir &direction : directions(shape, solid)) {
         poll(progress, 0.0);
         Section section;
-        if (section_along(shape, solid, direction, section, refusal) &&
+        if (section_along(shape, solid, direction, layout, section, refusal) &&
             fill_finer(shape, solid, layout, options, refusal, progress,
                        [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
                            return sweep_section(shape, solid, section, trial, finer, why, progress);
                        })) {
             return true;
         }
+    }
+    for (const gp_Dir &direction : directions(shape, solid)) {
+        poll(progress, 0.0);
+        Section section;
+        Refusal why;
+        if (section_over(shape, solid, direction, section, why) &&
+            fill_finer(shape, solid, layout, options, why, progress,
+                       [&](Layout &trial, const LayoutOptions &finer, Refusal &no) {
+                           return sweep_section(shape, solid, section, trial, finer, no, progress);
+                       })) {
+            return true;
+        }
+        refusal.reason += "; " + why.reason;
     }
     Refusal other;
     if (fill_finer(shape, solid, layout, options, other, progress,
