@@ -55,6 +55,7 @@ gp_Pnt centre_of(const TopoDS_Shape &shape) {
 // What stands in the way of mid-point subdivision of one solid.
 struct Obstacles {
     double weight = 0;
+    int awkward = 0;        // plane faces whose middle does not see all sides
     std::set<int> edges;    // concave, smooth, closed, or with an end where a face has no corner
     std::set<int> cusps;    // where the solid runs out to nothing, or leaves nothing: no cut helps
     std::set<int> vertices; // where other than three edges meet
@@ -63,6 +64,67 @@ struct Obstacles {
 
 bool sharp(double angle) {
     return angle > least_angle && angle < std::numbers::pi - least_angle;
+}
+
+// Whether the mid-point subdivision of a plane face has a fold, or nearly: its middle does not see
+// all its sides well. Adds the sides that bend into the face, and the faces there.
+bool awkward(const CadShape &cad, const SolidBoundary &boundary, std::size_t face,
+             Obstacles &result) {
+    const TopoDS_Face f = cad.face(boundary.faces[face]);
+    const BRepAdaptor_Surface surface(f, Standard_False);
+    if (surface.GetType() != GeomAbs_Plane || boundary.loops[face].size() != 1) {
+        return false;
+    }
+    const gp_Dir axis = surface.Plane().Axis().Direction();
+    const bool turned = (f.Orientation() == TopAbs_REVERSED) != (boundary.reversed[face] != 0);
+    Vec3 normal = (turned ? -1.0 : 1.0) * Vec3{axis.X(), axis.Y(), axis.Z()};
+    if (!surface.Plane().Direct()) {
+        normal = -1.0 * normal;
+    }
+    std::vector<Vec3> corners;
+    std::vector<Vec3> middles;
+    std::vector<Coedge> inward;
+    Vec3 centre{0, 0, 0};
+    int at = boundary.loops[face].front();
+    do {
+        const Coedge &c = boundary.coedges[static_cast<std::size_t>(at)];
+        const BRepAdaptor_Curve curve(cad.edge(c.edge));
+        gp_Pnt p;
+        gp_Vec t;
+        gp_Vec bend;
+        curve.D2(0.5 * (curve.FirstParameter() + curve.LastParameter()), p, t, bend);
+        middles.push_back({p.X(), p.Y(), p.Z()});
+        centre += middles.back();
+        const gp_Pnt v = BRep_Tool::Pnt(cad.vertex(c.vertex));
+        corners.push_back({v.X(), v.Y(), v.Z()});
+        const Vec3 along = (c.forward ? 1.0 : -1.0) * Vec3{t.X(), t.Y(), t.Z()};
+        if (dot(Vec3{bend.X(), bend.Y(), bend.Z()}, cross(normal, along)) < -1e-9 * norm2(along)) {
+            inward.push_back(c);
+        }
+        at = c.next;
+    } while (at != boundary.loops[face].front());
+    const std::size_t n = corners.size();
+    if (n < 3) {
+        return false;
+    }
+    centre = (1.0 / static_cast<double>(n)) * centre;
+    constexpr double least = 0.15; // sine of an angle of a quad
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::array<Vec3, 4> q{corners[i], middles[i], centre, middles[(i + n - 1) % n]};
+        for (std::size_t k = 1; k < 4; ++k) { // the corner itself is the face's
+            const Vec3 a = q[(k + 1) % 4] - q[k];
+            const Vec3 b = q[(k + 3) % 4] - q[k];
+            if (dot(normal, cross(a, b)) < least * norm(a) * norm(b)) {
+                for (const Coedge &c : inward) {
+                    const Coedge &mate = boundary.coedges[static_cast<std::size_t>(c.mate)];
+                    result.edges.insert(c.edge);
+                    result.round.insert(boundary.faces[static_cast<std::size_t>(mate.face)]);
+                }
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 Obstacles obstacles_of(const CadShape &cad, int solid) {
@@ -115,6 +177,9 @@ Obstacles obstacles_of(const CadShape &cad, int solid) {
         if (boundary->loops[f].size() != 1) {
             result.weight += 1;
             result.round.insert(boundary->faces[f]);
+        } else if (awkward(cad, *boundary, f, result)) {
+            result.weight += 1;
+            ++result.awkward;
         }
     }
     for (const auto &[vertex, edges] : edges_at) {
@@ -336,11 +401,13 @@ void Proposer::symmetry(int solid) {
     }
 }
 
-double distance_from(const Cut &cut, const gp_Pnt &p) {
+double signed_distance(const Cut &cut, const gp_Pnt &p) {
     const gp_XYZ apart = p.XYZ() - cut.place.Location().XYZ();
     const gp_XYZ n = cut.place.Direction().XYZ();
-    return cut.cylinder ? std::abs(apart.Crossed(n).Modulus() - cut.radius)
-                        : std::abs(apart.Dot(n));
+    return cut.cylinder ? apart.Crossed(n).Modulus() - cut.radius : apart.Dot(n);
+}
+double distance_from(const Cut &cut, const gp_Pnt &p) {
+    return std::abs(signed_distance(cut, p));
 }
 
 bool contains(const CadShape &cad, int edge, const Cut &cut, double tolerance) {
@@ -359,6 +426,41 @@ bool through_centre(const CadShape &cad, int edge, const Cut &cut, double tolera
     return curve.GetType() == GeomAbs_Circle && !cut.cylinder &&
            distance_from(cut, curve.Circle().Location()) < tolerance &&
            std::abs(curve.Circle().Axis().Direction().Dot(cut.place.Direction())) < 1e-3;
+}
+
+// Points all over the edges of a solid.
+std::vector<gp_Pnt> points_of(const CadShape &cad, int solid) {
+    std::vector<gp_Pnt> points;
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(cad.solid(solid), TopAbs_EDGE, edges);
+    for (int e = 1; e <= edges.Extent(); ++e) {
+        if (BRep_Tool::Degenerated(TopoDS::Edge(edges(e)))) {
+            continue;
+        }
+        const BRepAdaptor_Curve curve(TopoDS::Edge(edges(e)));
+        const int steps = curve.GetType() == GeomAbs_Line ? 2 : 8;
+        for (int i = 0; i <= steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            points.push_back(
+                curve.Value((1 - t) * curve.FirstParameter() + t * curve.LastParameter()));
+        }
+    }
+    return points;
+}
+
+// Whether the cut has points on both its sides; one that only touches cuts nothing.
+bool divides(const Cut &cut, const std::vector<gp_Pnt> &points, double tolerance) {
+    bool below = false;
+    bool above = false;
+    for (const gp_Pnt &p : points) {
+        const double side = signed_distance(cut, p);
+        below = below || side < -tolerance;
+        above = above || side > tolerance;
+        if (below && above) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // The cuts that the obstacles of some solids suggest, the most promising first, and a guess how
@@ -420,11 +522,13 @@ Proposals candidates(const CadShape &cad, const std::vector<int> &solids,
         }
         proposer.symmetry(solids[s]);
     }
-    // Which edges and vertices (negative) lie on which cut.
+    // Which edges and vertices (negative) lie on which cut, of solids that it divides.
+    std::vector<std::vector<gp_Pnt>> points;
     std::set<int> open;
-    for (const Obstacles &o : obstacles) {
-        open.insert(o.edges.begin(), o.edges.end());
-        for (const int v : o.vertices) {
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+        points.push_back(points_of(cad, solids[s]));
+        open.insert(obstacles[s].edges.begin(), obstacles[s].edges.end());
+        for (const int v : obstacles[s].vertices) {
             open.insert(-v);
         }
     }
@@ -432,13 +536,20 @@ Proposals candidates(const CadShape &cad, const std::vector<int> &solids,
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t c = 0; c < proposer.cuts.size(); ++c) {
         Cut &cut = proposer.cuts[c];
-        for (const int n : open) {
-            const bool lies =
-                n > 0 ? contains(cad, n, cut, proposer.tolerance) ||
-                            through_centre(cad, n, cut, proposer.tolerance)
-                      : distance_from(cut, BRep_Tool::Pnt(cad.vertex(-n))) < proposer.tolerance;
-            if (lies) {
-                on[c].insert(n);
+        for (std::size_t s = 0; s < solids.size(); ++s) {
+            if (!divides(cut, points[s], proposer.tolerance)) {
+                continue;
+            }
+            for (const int e : obstacles[s].edges) {
+                if (contains(cad, e, cut, proposer.tolerance) ||
+                    through_centre(cad, e, cut, proposer.tolerance)) {
+                    on[c].insert(e);
+                }
+            }
+            for (const int v : obstacles[s].vertices) {
+                if (distance_from(cut, BRep_Tool::Pnt(cad.vertex(v))) < proposer.tolerance) {
+                    on[c].insert(-v);
+                }
             }
         }
         cut.resolves = static_cast<int>(on[c].size());
@@ -578,6 +689,15 @@ bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOpti
                        {entity_name(1, edge)}};
             return false;
         }
+    }
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape.solid(solid), TopAbs_FACE, faces);
+    constexpr int most_faces = 250;
+    if (faces.Extent() > most_faces) {
+        refusal = {entity_name(3, solid) + " has " + std::to_string(faces.Extent()) +
+                       " faces, too many for a search over cuts",
+                   {entity_name(3, solid)}};
+        return false;
     }
     auto state = make_state(shape, solids, {}, refusal);
     if (!state) {
