@@ -5,6 +5,7 @@
 #include "mesh.h"
 
 #include "nmgs/blocking/block_check.h"
+#include "nmgs/blocking/default_divisions.h"
 #include "nmgs/blocking/divisions.h"
 #include "nmgs/blocking/generate.h"
 #include "nmgs/blocking/grading.h"
@@ -89,6 +90,20 @@ solve(const DoubleArray &nodes, const IntArray &divisions,
     return give(std::move(flat), {static_cast<py::ssize_t>(model.size()), model.dimension});
 }
 
+py::array_t<std::int32_t> divide_by_default(const DoubleArray &nodes, const IntArray &divisions,
+                                            double size, const std::optional<IntArray> &corners) {
+    const BlockModel model = block_model_of(nodes, divisions, py::none(), corners);
+    std::vector<std::int32_t> flat;
+    {
+        const py::gil_scoped_release release;
+        validate(model);
+        for (const auto &g : default_divisions(model, find_topology(model), size)) {
+            flat.insert(flat.end(), g.begin(), g.begin() + model.dimension);
+        }
+    }
+    return give(std::move(flat), {static_cast<py::ssize_t>(model.size()), model.dimension});
+}
+
 py::array_t<double> grading_positions(const std::string &kind, std::int32_t count,
                                       std::optional<double> ratio, std::optional<double> first,
                                       std::optional<double> last, const DoubleArray &values,
@@ -130,6 +145,9 @@ void bind_blocking(py::module_ &module) {
     module.def("solve_divisions", &solve, py::arg("nodes"), py::arg("divisions"), py::arg("wishes"),
                py::arg("size") = 0.0, py::arg("tolerance") = -1.0, py::arg("corners") = py::none(),
                "Divisions (NE, 2 | 3) that agree over the whole model; see divisions.h.");
+    module.def("default_divisions", &divide_by_default, py::arg("nodes"), py::arg("divisions"),
+               py::arg("size"), py::arg("corners") = py::none(),
+               "Divisions (NE, 2 | 3) by curvature and size; see default_divisions.h.");
     module.def("grading_positions", &grading_positions, py::arg("kind"), py::arg("count"),
                py::arg("ratio"), py::arg("first"), py::arg("last"), py::arg("values"),
                py::arg("reverse"), "Positions from 0 to 1 of a grading; see blocking/grading.h.");

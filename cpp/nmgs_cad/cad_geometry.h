@@ -21,6 +21,8 @@ public:
     EdgeCurve &curve(int n);
     // Without a guess of what was asked before.
     FaceProjection &face(int n);
+    // As the last user left it; face(n) must have been called.
+    FaceProjection &face_as_it_is(int n) { return *faces_[static_cast<std::size_t>(n)]; }
 
 private:
     std::vector<TopoDS_Edge> edge_shapes_;

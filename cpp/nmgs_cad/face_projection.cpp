@@ -350,7 +350,12 @@ FaceProjection::Result FaceProjection::locate(Vec3 p) {
 }
 
 FaceProjection::Uv FaceProjection::find(Vec3 p, Vec3 &point) {
+    constexpr double far = 0.1; // of the face's size
     Result result;
+    if (!keep_ && guesses_ > 0 && distance(p, asked_) > far * scale_) {
+        guesses_ = 0;
+    }
+    asked_ = p;
     if (guesses_ > 0) {
         Uv guess = last_;
         if (guesses_ > 1) {
@@ -362,6 +367,10 @@ FaceProjection::Uv FaceProjection::find(Vec3 p, Vec3 &point) {
             }
         }
         result = newton(p, guess);
+        const double limit = far * far * far * scale_;
+        if (!keep_ && result.distance2 > limit * limit) {
+            result.converged = false; // maybe the wrong sheet
+        }
     }
     if (!result.converged) {
         result = locate(p);
@@ -379,6 +388,7 @@ void FaceProjection::start(Vec3 p) {
     if (!elementary_) {
         Vec3 q;
         find(p, q);
+        keep_ = guesses_ > 0;
     }
 }
 

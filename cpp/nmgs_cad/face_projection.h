@@ -13,10 +13,11 @@
 
 namespace nmgs::cad {
 
-// Remembers the last answers as the guess of the next: ask for points in rows, each near the last,
-// and forget() between rows. From a guess the answer moves over the surface without a jump, not
-// over a seam's gap in the parameters and not to another sheet that is near in space. Not for two
-// threads at a time; see CadGeometry for one a thread.
+// Remembers the last answers as the guess of the next: ask for points in rows. From a point that
+// start() or set_guess() was given the answer moves over the surface without a jump, not over a
+// seam's gap in the parameters and not to another sheet that is near in space; otherwise a point
+// far from the last is looked for anew. Not for two threads at a time; see CadGeometry for one a
+// thread.
 class FaceProjection {
 public:
     explicit FaceProjection(const TopoDS_Face &face);
@@ -29,6 +30,7 @@ public:
     // Goes on from an earlier answer.
     void set_guess(Guess guess) {
         guesses_ = guess.count > 0 ? 1 : 0;
+        keep_ = guesses_ > 0;
         last_ = {guess.u, guess.v};
     }
 
@@ -36,7 +38,10 @@ public:
     // the face's parameters cover.
     Vec3 nearest(Vec3 p);
     // The next call starts without a guess.
-    void forget() { guesses_ = 0; }
+    void forget() {
+        guesses_ = 0;
+        keep_ = false;
+    }
     // Takes a point of the surface that the next one is near to as the guess.
     void start(Vec3 p);
     // Unit normal at the point of the surface nearest to p, on the side to which the oriented
@@ -77,6 +82,8 @@ private:
     double scale_ = 0;                               // of the face
     bool reversed_;
     int guesses_ = 0;
+    bool keep_ = false; // to the sheet of the guess, which the caller has chosen
+    Vec3 asked_{};
     Uv last_, before_;
     std::array<int, 2> counts_{}; // of samples
     std::vector<Vec3> samples_;

@@ -3,10 +3,13 @@
 
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
+#include "nmgs/quality/curved_metrics.h"
 #include "nmgs/support/error.h"
 #include "nmgs/support/memory.h"
 #include "nmgs/support/parallel.h"
+#include "nmgs_cad/cad_geometry.h"
 #include "nmgs_cad/snap.h"
+#include "nmgs_cad/untangle.h"
 
 #include <algorithm>
 #include <limits>
@@ -54,11 +57,36 @@ struct Builder {
     void make_cells();
     void make_boundary();
     void make_node_groups();
+    [[nodiscard]] std::vector<CadEntity> entities() const;
+    void improve(const CadShape &shape, const Progress &progress);
+    void bend(const CadShape &shape, std::span<const CadEntity> on, std::span<const Vec3> before);
+    void straighten(std::span<const CadEntity> on);
 
     [[nodiscard]] std::int32_t node(std::size_t block, LatticeIndex fine_at) const {
         return number[static_cast<std::size_t>(fine.node(block, fine_at))];
     }
 };
+
+constexpr double bad = 0.2; // a scaled Jacobian that calls for better nodes
+
+// Mid-side nodes of a quadratic cell with the ends of their edges.
+std::span<const std::array<std::size_t, 3>> mid_sides(int dimension) {
+    static constexpr std::array<std::array<std::size_t, 3>, 12> hexa{{{8, 0, 1},
+                                                                      {9, 1, 2},
+                                                                      {10, 2, 3},
+                                                                      {11, 3, 0},
+                                                                      {12, 4, 5},
+                                                                      {13, 5, 6},
+                                                                      {14, 6, 7},
+                                                                      {15, 7, 4},
+                                                                      {16, 0, 4},
+                                                                      {17, 1, 5},
+                                                                      {18, 2, 6},
+                                                                      {19, 3, 7}}};
+    static constexpr std::array<std::array<std::size_t, 3>, 4> quad{
+        {{4, 0, 1}, {5, 1, 2}, {6, 2, 3}, {7, 3, 0}}};
+    return dimension == 3 ? std::span<const std::array<std::size_t, 3>>(hexa) : quad;
+}
 
 LatticeIndex scaled(LatticeIndex at, int scale) {
     return {at[0] * scale, at[1] * scale, at[2] * scale};
@@ -242,6 +270,157 @@ void Builder::make_node_groups() {
     }
 }
 
+// What each node lies on; dimension 3 inside a solid.
+std::vector<CadEntity> Builder::entities() const {
+    std::vector<CadEntity> on(mesh.points.size(), CadEntity{3, 0});
+    const bool solid = model.dimension == 3;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        const auto g = fine.divisions(b);
+        for (int code = 0; code < (solid ? part::count : 9); ++code) {
+            const auto entity = binding.of(b, code);
+            if (entity.size() != 1 || entity[0].dimension == 3) {
+                continue;
+            }
+            const auto digits = part::digits(code);
+            LatticeIndex low{};
+            LatticeIndex high{};
+            for (std::size_t d = 0; d < (solid ? 3U : 2U); ++d) {
+                low[d] = digits[d] == 0 ? 0 : digits[d] == 1 ? 1 : g[d];
+                high[d] = digits[d] == 1 ? g[d] - 1 : low[d];
+            }
+            for (std::int32_t k = low[2]; k <= high[2]; ++k) {
+                for (std::int32_t j = low[1]; j <= high[1]; ++j) {
+                    for (std::int32_t i = low[0]; i <= high[0]; ++i) {
+                        const std::int32_t n = node(b, {i, j, k});
+                        if (n >= 0) {
+                            on[static_cast<std::size_t>(n)] = entity[0];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    return on;
+}
+
+// Moves nodes round bad cells, then the mid-side nodes beside them.
+void Builder::improve(const CadShape &shape, const Progress &progress) {
+    const bool solid = model.dimension == 3;
+    const auto &cells = mesh.cells.front().nodes;
+    const auto per = static_cast<std::size_t>(node_count(mesh.cells.front().type));
+    const std::size_t corners = solid ? 8 : 4;
+    std::vector<std::int32_t> linear;
+    if (scale == 2) {
+        linear.reserve(cells.size() / per * corners);
+        for (std::size_t c = 0; c < cells.size(); c += per) {
+            linear.insert(linear.end(), cells.begin() + c, cells.begin() + c + corners);
+        }
+    }
+    const std::span<const std::int32_t> nodes =
+        scale == 2 ? std::span<const std::int32_t>(linear)
+                   : std::span<const std::int32_t>(cells.data(), cells.size());
+    std::vector<std::int32_t> face_of;
+    if (!solid) {
+        for (std::size_t b = 0; b < model.size(); ++b) {
+            const auto on = binding.of(b, part::code(1, 1, 0));
+            const bool bound = on.size() == 1 && on[0].dimension == 2;
+            if (!bound) {
+                return; // no face's normal to tell a quad's side
+            }
+            face_of.insert(
+                face_of.end(),
+                static_cast<std::size_t>(coarse.first_cell(b + 1) - coarse.first_cell(b)),
+                on[0].index);
+        }
+    }
+    const std::span<Vec3> points(mesh.points.data(), mesh.points.size());
+    const std::span<const std::int32_t> none;
+    if (!has_bad_cells(points, solid ? nodes : none, solid ? none : nodes, face_of, bad) &&
+        scale == 1) {
+        return;
+    }
+    const std::vector<CadEntity> on = entities();
+    const std::vector<Vec3> before(points.begin(), points.end());
+    UntangleOptions options;
+    options.good = 0.5;
+    const auto moved = improve_mesh(shape, points, on, solid ? nodes : none, solid ? none : nodes,
+                                    face_of, bad, options, progress);
+    if (scale == 2) {
+        if (!moved.empty()) {
+            bend(shape, on, before);
+        }
+        if (solid) {
+            straighten(on);
+        }
+    }
+}
+
+// Mid-side nodes follow the ends of their edges, on the CAD.
+void Builder::bend(const CadShape &shape, std::span<const CadEntity> on,
+                   std::span<const Vec3> before) {
+    const auto &cells = mesh.cells.front().nodes;
+    const auto per = static_cast<std::size_t>(node_count(mesh.cells.front().type));
+    std::vector<char> done(mesh.points.size(), 0);
+    BorrowedGeometry geometry(shape);
+    for (std::size_t c = 0; c < cells.size(); c += per) {
+        for (const auto &[m, a, b] : mid_sides(model.dimension)) {
+            const auto middle = static_cast<std::size_t>(cells[c + m]);
+            const auto low = static_cast<std::size_t>(cells[c + a]);
+            const auto high = static_cast<std::size_t>(cells[c + b]);
+            const Vec3 move =
+                0.5 * (mesh.points[low] - before[low] + mesh.points[high] - before[high]);
+            if (done[middle] != 0 || norm2(move) == 0) {
+                continue;
+            }
+            done[middle] = 1;
+            Vec3 &p = mesh.points[middle];
+            p += move;
+            if (on[middle].dimension == 1) {
+                const EdgeCurve &curve = geometry->curve(on[middle].index);
+                const auto piece = curve.part(mesh.points[low], p, mesh.points[high]);
+                p = curve.at(0.5 * (piece.from + piece.to));
+            } else if (on[middle].dimension == 2) {
+                FaceProjection &face = geometry->face(on[middle].index);
+                face.start(mesh.points[low]);
+                p = face.nearest(p);
+            }
+        }
+    }
+}
+
+// Where a curved cell's Jacobian is not positive everywhere, its inner edges become straight.
+void Builder::straighten(std::span<const CadEntity> on) {
+    const auto &cells = mesh.cells.front().nodes;
+    constexpr std::size_t per = 20;
+    constexpr double bent = 0.01; // of its chord, what an edge is off before it is looked at
+    const std::size_t count = cells.size() / per;
+    std::vector<char> folded(count, 0);
+    constexpr std::size_t grain = 64;
+    parallel_for(count, grain, [&](std::size_t from, std::size_t to) {
+        std::array<Vec3, per> p{};
+        for (std::size_t c = from; c < to; ++c) {
+            for (std::size_t k = 0; k < per; ++k) {
+                p[k] = mesh.points[static_cast<std::size_t>(cells[c * per + k])];
+            }
+            bool bends = false;
+            for (const auto &[m, a, b] : mid_sides(3)) {
+                bends = bends || norm(p[m] - 0.5 * (p[a] + p[b])) > bent * distance(p[a], p[b]);
+            }
+            folded[c] = bends && !(curved::min_jacobian(CellType::hexahedron20, p.data()) > 0);
+        }
+    });
+    for (std::size_t c = 0; c < count; ++c) {
+        for (const auto &[m, a, b] : mid_sides(3)) {
+            const auto middle = static_cast<std::size_t>(cells[c * per + m]);
+            if (folded[c] != 0 && on[middle].dimension == 3) {
+                mesh.points[middle] =
+                    0.5 * (mesh.points[static_cast<std::size_t>(cells[c * per + a])] +
+                           mesh.points[static_cast<std::size_t>(cells[c * per + b])]);
+            }
+        }
+    }
+}
+
 } // namespace
 
 Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
@@ -273,6 +452,8 @@ Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
     builder.number_nodes(points);
     poll(progress, 0.9);
     builder.make_cells();
+    builder.improve(shape, progress ? Progress([&](double f) { return progress(0.9 + 0.1 * f); })
+                                    : Progress());
     if (model.dimension == 3) {
         builder.make_boundary();
     }

@@ -241,3 +241,29 @@ def test_cancel():
     model = nmgs.fit(twisted_prism(), size=0.1)
     with pytest.raises(nmgs.Cancelled):
         model.generate(progress=lambda fraction: fraction < 0.5)
+
+
+DEFAULTS = {
+    "cylinder": lambda: Part.makeCylinder(3, 8),
+    "tube": lambda: tube_sector(180),
+    "plate": lambda: Part.makeBox(40, 30, 1),
+}
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_default_divisions_keep_the_volume(name):
+    shape = DEFAULTS[name]()
+    try:
+        model = nmgs.fit(shape)
+    except nmgs.BlockingError:
+        pytest.skip("no strategy for it")
+    errors = []
+    for factor in (1, 2):
+        model.divisions = np.array(model.divisions * factor, np.int32)
+        mesh = model.generate()
+        cells = mesh.cells["hexahedron"]
+        assert len(cells) < 8 * 250_000
+        volume = hexahedron_volumes(mesh.points, cells).sum()
+        errors.append(abs(volume - shape.Volume) / shape.Volume)
+    assert errors[0] < 0.01
+    assert errors[1] < 0.3 * errors[0] + 1e-9  # second order

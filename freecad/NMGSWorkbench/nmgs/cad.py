@@ -29,8 +29,9 @@ def fit(
 
     shape: a Part.Shape, a list of them, or a document object. Solids are filled if it has any, else
     its faces are covered. size: wanted length of an element's edge; None for a thirtieth of the
-    shape's diagonal. tolerance: blocks are halved until no face of theirs is farther than this
-    from its CAD face; None for a thousandth of the diagonal. What was reached is in the report.
+    shape's diagonal, finer by curvature, coarser where that makes too many cells. tolerance: blocks
+    are halved until no face of theirs is farther than this from its CAD face, or there are
+    thousands; None for a thousandth of the diagonal. What was reached is in the report.
     method: one of METHODS. "auto" takes the structured strategy with the best blocks and, where
     none applies, tet-to-hex, which splits tetrahedra. Solids that share faces share nodes: either
     all of them are structured, or none.
@@ -65,9 +66,21 @@ def fit(
 
     model = BlockModel(raw["nodes"], 1)
     model.cad = CadLink(cad_shape, raw["offsets"], raw["entities"], raw["corners"])
-    model.set_divisions(cad_shape.diagonal / 30 if size is None else float(size))
+    if size is None:
+        default_divisions(model)
+    else:
+        model.set_divisions(float(size))
     model.report = report
     return model
+
+
+def default_divisions(model: BlockModel) -> None:
+    """Divisions for a fitted model when no size is given: elements no longer than a thirtieth of
+    the shape's diagonal that turn by ten degrees at most, and no more than 200 000 of them."""
+    link: CadLink = model.cad  # type: ignore[assignment]
+    model.divisions = _kernel.core().default_divisions(
+        model.nodes, model.divisions, link.shape.diagonal / 30, corners=link.corners
+    )
 
 
 def _with_tets(

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Divisions for those who give no size: fine enough for the blocks' curvature, not too many.
+#pragma once
+
+#include "nmgs/blocking/topology.h"
+
+#include <array>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace nmgs {
+
+struct DefaultDivisions {
+    double angle = 10 * std::numbers::pi / 180; // turn along an element, in radians
+    // Along both directions of a face that turns in both: its volume error adds up.
+    double both_angle = 7.2 * std::numbers::pi / 180;
+    double volume_error = 0.006; // of linear blocks against quadratic ones, by all the volume
+    std::int64_t most_cells = 200'000;
+};
+
+// Divisions of all blocks that agree along chains (see divisions.h): no element longer than size,
+// nor turning by more than the angle, nor the volume of the linear cells off by more than is asked
+// for. Where that takes more than most_cells, size and angle grow until it does not, or every block
+// has one division. Raises ArgumentError for a size that is not positive.
+std::vector<std::array<std::int32_t, 3>> default_divisions(const BlockModel &model,
+                                                           const Topology &topology, double size,
+                                                           const DefaultDivisions &options = {});
+
+} // namespace nmgs

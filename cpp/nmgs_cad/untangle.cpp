@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/untangle.h"
+
+#include "nmgs/quality/surface_metrics.h"
+#include "nmgs/quality/volume_metrics.h"
+#include "nmgs/support/parallel.h"
+#include "nmgs_cad/cad_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nmgs::cad {
+namespace {
+
+using Hexa = std::array<std::int32_t, 8>;
+using Quad = std::array<std::int32_t, 4>;
+
+Vec3 unit(Vec3 v) {
+    const double n = norm(v);
+    return n > 0 ? (1 / n) * v : Vec3{0, 0, 0};
+}
+
+// Nodes that slide on the CAD's edges and faces.
+class CadSlides final : public NodeSlides {
+public:
+    CadSlides(const CadShape &shape, std::span<const CadEntity> on,
+              std::span<const std::int32_t> face_of)
+        : geometry_(shape), on_(on), face_of_(face_of), guess_(on.size()) {}
+
+    [[nodiscard]] int freedom(std::int32_t node) const override {
+        return std::max(0, entity(node).dimension);
+    }
+    std::array<Vec3, 2> tangents(std::int32_t node, Vec3 p) override {
+        const CadEntity e = entity(node);
+        if (e.dimension == 1) {
+            const EdgeCurve &curve = geometry_->curve(e.index);
+            return {curve.tangent(curve.fraction(p)), Vec3{}};
+        }
+        const Vec3 n = at(node, e.index).normal(p);
+        keep(node, e.index);
+        // Across the axis that is least along the normal.
+        const Vec3 a{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+        const Vec3 axis = a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0}
+                          : a.y <= a.z             ? Vec3{0, 1, 0}
+                                                   : Vec3{0, 0, 1};
+        const Vec3 t = unit(cross(n, axis));
+        return {t, cross(n, t)};
+    }
+    Vec3 slide(std::int32_t node, Vec3 from, Vec3 wanted) override {
+        const CadEntity e = entity(node);
+        if (e.dimension == 1) {
+            // By the length along the tangent: the nearest point could be elsewhere on the edge.
+            const EdgeCurve &curve = geometry_->curve(e.index);
+            const double f = curve.fraction(from);
+            const double go = dot(wanted - from, curve.tangent(f));
+            return curve.at(std::clamp(f + go / curve.length(), 1e-6, 1 - 1e-6));
+        }
+        FaceProjection &face = at(node, e.index);
+        if (face.guess().count == 0) {
+            face.start(from);
+        }
+        const Vec3 there = face.nearest(wanted);
+        keep(node, e.index);
+        return there;
+    }
+    Vec3 normal(std::int32_t quad, Vec3 p) override {
+        return geometry_->face(face_of_[static_cast<std::size_t>(quad)]).normal(p);
+    }
+
+private:
+    [[nodiscard]] CadEntity entity(std::int32_t node) const {
+        return on_[static_cast<std::size_t>(node)];
+    }
+    // With the guess that the node left there.
+    FaceProjection &at(std::int32_t node, int n) {
+        FaceProjection &face = geometry_->face(n);
+        face.set_guess(guess_[static_cast<std::size_t>(node)]);
+        return face;
+    }
+    void keep(std::int32_t node, int n) {
+        guess_[static_cast<std::size_t>(node)] = geometry_->face_as_it_is(n).guess();
+    }
+
+    BorrowedGeometry geometry_;
+    std::span<const CadEntity> on_;
+    std::span<const std::int32_t> face_of_;
+    std::vector<FaceProjection::Guess> guess_;
+};
+
+struct Cells {
+    std::vector<Hexa> hexahedra;
+    std::vector<Quad> quads;
+    std::vector<std::int32_t> face_of;
+};
+
+Cells cells_of(const Layout &layout, std::size_t first) {
+    Cells cells;
+    for (std::size_t h = first; h < layout.hexas.size(); ++h) {
+        cells.hexahedra.push_back(layout.hexas[h].points);
+    }
+    if (layout.hexas.empty()) {
+        for (const auto &quad : layout.quads) {
+            cells.quads.push_back(quad.points);
+            cells.face_of.push_back(quad.face);
+        }
+    }
+    return cells;
+}
+
+// A part of a mesh with numbers of its own. Nodes that cells outside have too stay.
+struct Part {
+    std::vector<std::int32_t> cells, nodes, local;
+    std::vector<CadEntity> on;
+};
+
+// Cells within a number of layers of the bad ones; the worst neighbourhoods first, up to a number
+// of cells.
+Part part_round(const std::vector<double> &quality, double bad, std::span<const std::int32_t> cells,
+                std::size_t per, std::span<const CadEntity> on) {
+    constexpr int layers = 3;
+    constexpr std::size_t most_cells = 8000;
+    constexpr std::size_t most_seeds = 2000;
+    std::vector<std::int32_t> seeds;
+    for (std::size_t c = 0; c < quality.size(); ++c) {
+        if (quality[c] < bad) {
+            seeds.push_back(static_cast<std::int32_t>(c));
+        }
+    }
+    if (seeds.size() > most_seeds) {
+        std::stable_sort(seeds.begin(), seeds.end(), [&](std::int32_t a, std::int32_t b) {
+            return quality[static_cast<std::size_t>(a)] < quality[static_cast<std::size_t>(b)];
+        });
+        seeds.resize(most_seeds);
+    }
+    Part part;
+    std::vector<char> taken(quality.size(), 0);
+    std::vector<char> known(on.size(), 0);
+    const auto take = [&](std::int32_t c) {
+        taken[static_cast<std::size_t>(c)] = 1;
+        part.cells.push_back(c);
+        for (std::size_t k = 0; k < per; ++k) {
+            known[static_cast<std::size_t>(cells[static_cast<std::size_t>(c) * per + k])] = 1;
+        }
+    };
+    for (const std::int32_t c : seeds) {
+        take(c);
+    }
+    for (int layer = 0; layer < layers && part.cells.size() < most_cells; ++layer) {
+        const std::vector<char> front = known;
+        for (std::size_t c = 0; c < quality.size() && part.cells.size() < most_cells; ++c) {
+            bool touches = false;
+            for (std::size_t k = 0; k < per && taken[c] == 0; ++k) {
+                touches = touches || front[static_cast<std::size_t>(cells[c * per + k])] != 0;
+            }
+            if (touches) {
+                take(static_cast<std::int32_t>(c));
+            }
+        }
+    }
+    std::sort(part.cells.begin(), part.cells.end());
+    part.local.assign(on.size(), -1);
+    for (std::size_t n = 0; n < on.size(); ++n) {
+        if (known[n] != 0) {
+            part.local[n] = static_cast<std::int32_t>(part.nodes.size());
+            part.nodes.push_back(static_cast<std::int32_t>(n));
+            part.on.push_back(on[n]);
+        }
+    }
+    for (std::size_t c = 0; c < quality.size(); ++c) {
+        for (std::size_t k = 0; k < per && taken[c] == 0; ++k) {
+            const std::int32_t l = part.local[static_cast<std::size_t>(cells[c * per + k])];
+            if (l >= 0) {
+                part.on[static_cast<std::size_t>(l)] = {-1, 0};
+            }
+        }
+    }
+    return part;
+}
+
+// Scaled Jacobians of all cells. A quad that looks away from the one before it, on the same face,
+// is folded over it.
+std::vector<double> qualities(std::span<const Vec3> points, std::span<const std::int32_t> cells,
+                              std::size_t per, std::span<const std::int32_t> face_of) {
+    std::vector<double> result(cells.size() / per);
+    std::vector<Vec3> normals(per == 4 ? result.size() : 0);
+    constexpr std::size_t grain = 4096;
+    parallel_for(result.size(), grain, [&](std::size_t from, std::size_t to) {
+        std::array<Vec3, 8> p{};
+        for (std::size_t c = from; c < to; ++c) {
+            for (std::size_t k = 0; k < per; ++k) {
+                p[k] = points[static_cast<std::size_t>(cells[c * per + k])];
+            }
+            result[c] =
+                per == 8 ? hexahedron::scaled_jacobian(p.data()) : quad::scaled_jacobian(p.data());
+            if (per == 4) {
+                normals[c] = cross(p[2] - p[0], p[3] - p[1]);
+            }
+        }
+    });
+    for (std::size_t c = 1; c < normals.size(); ++c) {
+        if (face_of[c] == face_of[c - 1] && dot(normals[c], normals[c - 1]) < 0) {
+            result[c] = std::min(result[c], -0.5);
+            result[c - 1] = std::min(result[c - 1], -0.5);
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+double worst_scaled_jacobian(const CadShape &shape, const Layout &layout, std::size_t first) {
+    Cells cells = cells_of(layout, first);
+    std::vector<Vec3> points = layout.points;
+    CadSlides slides(shape, layout.on, cells.face_of);
+    UntangleOptions none;
+    none.good = -2; // measures and moves nothing
+    return untangle(points, cells.hexahedra, cells.quads, slides, none).after;
+}
+
+double improve(const CadShape &shape, Layout &layout, const UntangleOptions &options,
+               const Progress &progress) {
+    const Cells cells = cells_of(layout, 0);
+    const std::vector<Vec3> before = layout.points;
+    CadSlides slides(shape, layout.on, cells.face_of);
+    const double worst =
+        untangle(layout.points, cells.hexahedra, cells.quads, slides, options, progress).after;
+    for (auto &[ends, middle] : layout.middles) {
+        const auto a = static_cast<std::size_t>(ends[0]);
+        const auto b = static_cast<std::size_t>(ends[1]);
+        middle += 0.5 * (layout.points[a] - before[a] + layout.points[b] - before[b]);
+    }
+    // A middle on a face keeps to it.
+    BorrowedGeometry geometry(shape);
+    for (const auto &quad : layout.quads) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::int32_t a = quad.points[i];
+            const std::int32_t b = quad.points[(i + 1) % 4];
+            const auto found = layout.middles.find({std::min(a, b), std::max(a, b)});
+            if (found != layout.middles.end() && (!(layout.points[static_cast<std::size_t>(a)] ==
+                                                    before[static_cast<std::size_t>(a)]) ||
+                                                  !(layout.points[static_cast<std::size_t>(b)] ==
+                                                    before[static_cast<std::size_t>(b)]))) {
+                FaceProjection &face = geometry->face(quad.face);
+                face.start(layout.points[static_cast<std::size_t>(a)]);
+                found->second = face.nearest(found->second);
+            }
+        }
+    }
+    return worst;
+}
+
+bool has_bad_cells(std::span<const Vec3> points, std::span<const std::int32_t> hexahedra,
+                   std::span<const std::int32_t> quads, std::span<const std::int32_t> face_of,
+                   double bad) {
+    const std::size_t per = hexahedra.empty() ? 4 : 8;
+    const auto all = qualities(points, hexahedra.empty() ? quads : hexahedra, per, face_of);
+    return std::any_of(all.begin(), all.end(), [&](double q) { return q < bad; });
+}
+
+std::vector<std::int32_t> improve_mesh(const CadShape &shape, std::span<Vec3> points,
+                                       std::span<const CadEntity> on,
+                                       std::span<const std::int32_t> hexahedra,
+                                       std::span<const std::int32_t> quads,
+                                       std::span<const std::int32_t> face_of, double bad,
+                                       const UntangleOptions &options, const Progress &progress) {
+    const std::size_t per = hexahedra.empty() ? 4 : 8;
+    const auto cells = hexahedra.empty() ? quads : hexahedra;
+    const Part part = part_round(qualities(points, cells, per, face_of), bad, cells, per, on);
+    std::vector<Vec3> places;
+    for (const std::int32_t n : part.nodes) {
+        places.push_back(points[static_cast<std::size_t>(n)]);
+    }
+    Cells local;
+    for (const std::int32_t c : part.cells) {
+        const auto node = [&](std::size_t k) {
+            return part
+                .local[static_cast<std::size_t>(cells[static_cast<std::size_t>(c) * per + k])];
+        };
+        if (per == 8) {
+            auto &h = local.hexahedra.emplace_back();
+            for (std::size_t k = 0; k < 8; ++k) {
+                h[k] = node(k);
+            }
+        } else {
+            auto &q = local.quads.emplace_back();
+            for (std::size_t k = 0; k < 4; ++k) {
+                q[k] = node(k);
+            }
+            local.face_of.push_back(face_of[static_cast<std::size_t>(c)]);
+        }
+    }
+    std::vector<std::int32_t> moved;
+    if (part.cells.empty()) {
+        return moved;
+    }
+    CadSlides slides(shape, part.on, local.face_of);
+    // So many visits of a node take a second or so.
+    constexpr std::size_t most_visits = 100'000;
+    UntangleOptions bounded = options;
+    bounded.sweeps =
+        std::min(options.sweeps, std::max(6, static_cast<int>(most_visits / (places.size() + 1))));
+    untangle(places, local.hexahedra, local.quads, slides, bounded, progress);
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        Vec3 &p = points[static_cast<std::size_t>(part.nodes[n])];
+        if (!(p == places[n])) {
+            p = places[n];
+            moved.push_back(part.nodes[n]);
+        }
+    }
+    return moved;
+}
+
+} // namespace nmgs::cad
