@@ -8,6 +8,7 @@
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/skin.h"
 #include "nmgs_cad/tets_to_hexas.h"
+#include "nmgs_cad/untangle.h"
 
 #include <TopExp_Explorer.hxx>
 #include <pybind11/stl.h>
@@ -94,7 +95,10 @@ py::dict tet_blocks(const cad::CadShape &shape, const cad::Layout &layout,
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        blocks = cad::blocks_of(shape, layout, 3);
+        // Also the points on the CAD's edges and faces find better places.
+        cad::Layout better = layout;
+        cad::improve(shape, better, {.good = 0.4}, listener);
+        blocks = cad::blocks_of(shape, better, 3);
         for (const int solid : solids) {
             cad::FitEntry entry;
             entry.entity = {3, solid};
@@ -134,14 +138,11 @@ void bind_tets(py::module_ &module) {
     py::class_<cad::Skin, std::shared_ptr<cad::Skin>>(
         module, "Skin", "Well-shaped triangles over CAD faces, points tagged with their entity.")
         .def_property_readonly("points", [](const cad::Skin &s) { return table<double>(s.points); })
-        .def_property_readonly("on",
-                               [](const cad::Skin &s) { return table<std::int32_t>(s.on); })
+        .def_property_readonly("on", [](const cad::Skin &s) { return table<std::int32_t>(s.on); })
         .def_property_readonly("triangles",
                                [](const cad::Skin &s) { return table<std::int32_t>(s.triangles); })
-        .def_property_readonly("faces",
-                               [](const cad::Skin &s) {
-                                   return table<std::int32_t>(s.faces).reshape({-1});
-                               })
+        .def_property_readonly(
+            "faces", [](const cad::Skin &s) { return table<std::int32_t>(s.faces).reshape({-1}); })
         .def_property_readonly("edges", [](const cad::Skin &s) { return s.edges; });
     module.def("make_skin", &make_skin, py::arg("shape"), py::arg("faces"), py::arg("size") = 0.0,
                py::arg("angle") = 0.45, py::arg("limits") = DoubleArray(),
