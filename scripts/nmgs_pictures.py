@@ -44,8 +44,7 @@ def save_view(name, width=480, height=380):
     image = QtGui.QImage(path).scaled(
         width, height, QtCore.Qt.IgnoreAspectRatio, QtCore.Qt.SmoothTransformation
     )
-    # Few colours: small files.
-    image.convertToFormat(QtGui.QImage.Format_Indexed8, QtCore.Qt.ThresholdDither).save(path)
+    image.save(path)
     say(name)
 
 
@@ -54,9 +53,7 @@ def save_window(name):
     wait(600)
     picture = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
     picture = picture.scaledToWidth(900, QtCore.Qt.SmoothTransformation)
-    picture.convertToFormat(QtGui.QImage.Format_Indexed8, QtCore.Qt.ThresholdDither).save(
-        os.path.join(OUT, f"{name}.png")
-    )
+    picture.save(os.path.join(OUT, f"{name}.png"))
     say(name)
 
 

@@ -56,6 +56,7 @@ gp_Pnt centre_of(const TopoDS_Shape &shape) {
 struct Obstacles {
     double weight = 0;
     std::set<int> edges;    // concave, smooth, closed, or with an end where a face has no corner
+    std::set<int> cusps;    // where the solid runs out to nothing, or leaves nothing: no cut helps
     std::set<int> vertices; // where other than three edges meet
     std::set<int> round;    // faces with a seam or more than one loop
 };
@@ -77,9 +78,7 @@ Obstacles obstacles_of(const CadShape &cad, int solid) {
         const Coedge &c = boundary->coedges[i];
         const int face = boundary->faces[static_cast<std::size_t>(c.face)];
         if (c.degenerated) {
-            result.weight += 1;
-            result.round.insert(face);
-            continue;
+            continue; // a pole is a vertex like others
         }
         edges_at[c.vertex].insert(c.edge);
         const auto &next = boundary->coedges[static_cast<std::size_t>(c.next)];
@@ -90,7 +89,9 @@ Obstacles obstacles_of(const CadShape &cad, int solid) {
         if (c.next == c.prev) { // two edges: the blocks at its middle would be flat
             result.weight += 0.5;
             result.round.insert(face);
-            result.edges.insert(c.edge);
+            if (BRepAdaptor_Curve(cad.edge(c.edge)).GetType() != GeomAbs_Line) {
+                result.edges.insert(c.edge);
+            }
         }
         const bool closed = c.next == static_cast<int>(i) || next.vertex == c.vertex;
         if (closed) {
@@ -102,6 +103,9 @@ Obstacles obstacles_of(const CadShape &cad, int solid) {
             result.weight += 0.5;
             result.edges.insert(c.edge);
             result.round.insert(face);
+        } else if (c.dihedral < least_angle || c.dihedral > 2 * std::numbers::pi - least_angle) {
+            result.weight += 1;
+            result.cusps.insert(c.edge);
         } else if (!sharp(c.dihedral)) {
             result.weight += c.dihedral > std::numbers::pi ? 1 : 0.5;
             result.edges.insert(c.edge);
@@ -115,7 +119,7 @@ Obstacles obstacles_of(const CadShape &cad, int solid) {
     }
     for (const auto &[vertex, edges] : edges_at) {
         if (edges.size() != 3) {
-            result.weight += 1;
+            result.weight += std::abs(static_cast<double>(edges.size()) - 3);
             result.vertices.insert(vertex);
         }
     }
@@ -357,9 +361,16 @@ bool through_centre(const CadShape &cad, int edge, const Cut &cut, double tolera
            std::abs(curve.Circle().Axis().Direction().Dot(cut.place.Direction())) < 1e-3;
 }
 
-// The cuts that the obstacles of some solids suggest, the most promising first.
-std::vector<Cut> candidates(const CadShape &cad, const std::vector<int> &solids,
-                            const std::vector<Obstacles> &obstacles) {
+// The cuts that the obstacles of some solids suggest, the most promising first, and a guess how
+// many of them are needed: as many as cover the obstacles (greedy set cover), and one each for
+// those that no cut resolves.
+struct Proposals {
+    std::vector<Cut> cuts;
+    int needed = 0;
+};
+
+Proposals candidates(const CadShape &cad, const std::vector<int> &solids,
+                     const std::vector<Obstacles> &obstacles) {
     Proposer proposer(cad);
     std::vector<std::pair<double, gp_Dir>> sides;
     for (int f = 1; f <= cad.faces.Extent(); ++f) {
@@ -409,30 +420,61 @@ std::vector<Cut> candidates(const CadShape &cad, const std::vector<int> &solids,
         }
         proposer.symmetry(solids[s]);
     }
-    // Twice what they resolve, for the tie-break in favour of planes.
+    // Which edges and vertices (negative) lie on which cut.
+    std::set<int> open;
+    for (const Obstacles &o : obstacles) {
+        open.insert(o.edges.begin(), o.edges.end());
+        for (const int v : o.vertices) {
+            open.insert(-v);
+        }
+    }
+    std::vector<std::set<int>> on(proposer.cuts.size());
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t c = 0; c < proposer.cuts.size(); ++c) {
         Cut &cut = proposer.cuts[c];
-        for (const Obstacles &o : obstacles) {
-            for (const int e : o.edges) {
-                cut.resolves += contains(cad, e, cut, proposer.tolerance) ||
-                                        through_centre(cad, e, cut, proposer.tolerance)
-                                    ? 1
-                                    : 0;
-            }
-            for (const int v : o.vertices) {
-                cut.resolves +=
-                    distance_from(cut, BRep_Tool::Pnt(cad.vertex(v))) < proposer.tolerance ? 1 : 0;
+        for (const int n : open) {
+            const bool lies =
+                n > 0 ? contains(cad, n, cut, proposer.tolerance) ||
+                            through_centre(cad, n, cut, proposer.tolerance)
+                      : distance_from(cut, BRep_Tool::Pnt(cad.vertex(-n))) < proposer.tolerance;
+            if (lies) {
+                on[c].insert(n);
             }
         }
+        cut.resolves = static_cast<int>(on[c].size());
         order.emplace_back(-cut.resolves + (cut.cylinder ? 0.5 : 0.0), c);
     }
     std::sort(order.begin(), order.end());
-    std::vector<Cut> result;
+    Proposals result;
     for (const auto &[gain, c] : order) {
         if (proposer.cuts[c].resolves > 0) {
-            result.push_back(proposer.cuts[c]);
+            result.cuts.push_back(proposer.cuts[c]);
         }
+    }
+    while (!open.empty()) {
+        std::size_t best = on.size();
+        std::size_t most = 0;
+        for (std::size_t c = 0; c < on.size(); ++c) {
+            std::size_t count = 0;
+            for (const int n : on[c]) {
+                count += open.count(n);
+            }
+            if (count > most) {
+                most = count;
+                best = c;
+            }
+        }
+        if (best == on.size()) {
+            break;
+        }
+        for (const int n : on[best]) {
+            open.erase(n);
+        }
+        ++result.needed;
+    }
+    result.needed += static_cast<int>(open.size());
+    for (const Obstacles &o : obstacles) {
+        result.needed += static_cast<int>(o.cusps.size());
     }
     return result;
 }
@@ -443,6 +485,7 @@ struct State {
     Pieces pieces;
     std::vector<int> bad; // pieces with obstacles
     std::vector<Obstacles> obstacles;
+    Proposals proposals;
     double weight = 0;
 };
 
@@ -456,7 +499,7 @@ std::optional<State> make_state(const CadShape &shape, std::span<const int> soli
     if (!pieces) {
         return std::nullopt;
     }
-    State state{std::move(cuts), std::move(*pieces), {}, {}, 0};
+    State state{std::move(cuts), std::move(*pieces), {}, {}, {}, 0};
     const CadShape &cad = state.pieces.cad;
     for (int n = 1; n <= cad.solids.Extent(); ++n) {
         Obstacles o = obstacles_of(cad, n);
@@ -476,6 +519,8 @@ std::optional<State> make_state(const CadShape &shape, std::span<const int> soli
         }
     }
     state.weight += 0.02 * cad.solids.Extent();
+    state.proposals = candidates(cad, state.bad, state.obstacles);
+    state.weight = state.proposals.needed + 0.02 * state.weight;
     return state;
 }
 
@@ -498,7 +543,7 @@ std::vector<int> obstacles(const CadShape &shape, int solid) {
 }
 
 std::vector<Cut> propose_cuts(const CadShape &shape, int solid) {
-    return candidates(shape, {solid}, {obstacles_of(shape, solid)});
+    return candidates(shape, {solid}, {obstacles_of(shape, solid)}).cuts;
 }
 
 TopoDS_Face cut_face(const CadShape &shape, const Cut &cut) {
@@ -522,18 +567,28 @@ bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOpti
     const std::vector<int> solids{solid};
     constexpr int most_cuts = 24;
     constexpr int most_pieces = 400;
+    constexpr int patient = 3;
     constexpr std::size_t tries = 10; // of the most promising cuts
-    constexpr auto patience = std::chrono::seconds(40);
+    constexpr auto patience = std::chrono::seconds(20);
     const auto start = std::chrono::steady_clock::now();
+    for (TopExp_Explorer it(shape.solid(solid), TopAbs_EDGE); it.More(); it.Next()) {
+        const int edge = shape.edges.FindIndex(it.Current());
+        if (!layout.edges[static_cast<std::size_t>(edge)].empty()) {
+            refusal = {entity_name(1, edge) + " is laid out already by a neighbour",
+                       {entity_name(1, edge)}};
+            return false;
+        }
+    }
     auto state = make_state(shape, solids, {}, refusal);
     if (!state) {
         return false;
     }
+    double lowest = state->weight;
+    int idle = 0; // cuts since the last that left less than any before
     while (!state->bad.empty() && static_cast<int>(state->cuts.size()) < most_cuts) {
-        auto proposals = candidates(state->pieces.cad, state->bad, state->obstacles);
         std::optional<State> best;
         std::size_t tried = 0;
-        for (const Cut &cut : proposals) {
+        for (const Cut &cut : state->proposals.cuts) {
             poll(progress, static_cast<double>(state->cuts.size()) / most_cuts);
             const bool used =
                 std::any_of(state->cuts.begin(), state->cuts.end(), [&](const Cut &c) {
@@ -549,14 +604,17 @@ bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOpti
             cuts.push_back(cut);
             Refusal ignored;
             auto next = make_state(shape, solids, std::move(cuts), ignored);
-            if (next && next->pieces.cad.solids.Extent() <= most_pieces &&
+            if (next && next->pieces.cad.solids.Extent() > state->pieces.cad.solids.Extent() &&
+                next->pieces.cad.solids.Extent() <= most_pieces &&
                 (!best || next->weight < best->weight)) {
                 best = std::move(next);
             }
         }
-        if (!best || best->weight >= state->weight) {
+        idle = best && best->weight < lowest ? 0 : idle + 1;
+        if (!best || idle > patient) {
             break;
         }
+        lowest = std::min(lowest, best->weight);
         state = std::move(best);
     }
     if (!state->bad.empty()) {

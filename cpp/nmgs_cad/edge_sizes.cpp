@@ -4,9 +4,10 @@
 #include "nmgs_cad/edge_curve.h"
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -31,7 +32,26 @@ struct Sample {
     std::size_t loop;
     double along; // of the loop's length
     double size;
+    std::array<int, 2> vertex; // at the start and the end of the edge
+    std::array<double, 2> to;  // way to them along it
 };
+
+// The way from one to the other along their edges when these meet at a vertex: a seam's two sides
+// and the ends of a closed edge are neighbours though they are far apart along the loop.
+double way(const Sample &s, const Sample &t) {
+    double least = std::numeric_limits<double>::infinity();
+    if (s.edge == t.edge) {
+        least = std::abs(s.to[0] - t.to[0]);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            if (s.vertex[i] == t.vertex[j]) {
+                least = std::min(least, s.to[i] + t.to[j]);
+            }
+        }
+    }
+    return least;
+}
 
 } // namespace
 
@@ -66,7 +86,9 @@ EdgeSize size_of_edge(const CadShape &shape, int edge, const LayoutOptions &opti
     const BRepAdaptor_Curve curve(shape.edge(edge));
     const EdgeCurve by_length(shape.edge(edge));
     size.length = by_length.length();
-    size.closed = BRep_Tool::IsClosed(shape.edge(edge));
+    size.vertex = {shape.vertices.FindIndex(TopExp::FirstVertex(shape.edge(edge))),
+                   shape.vertices.FindIndex(TopExp::LastVertex(shape.edge(edge)))};
+    size.closed = size.vertex[0] == size.vertex[1];
     constexpr int samples = 48;
     Vec3 last{};
     for (int i = 0; i <= samples; ++i) {
@@ -124,8 +146,16 @@ void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
             for (std::size_t k = 0; k < size.at.size(); k += stride) {
                 const std::size_t i = use.forward ? k : size.at.size() - 1 - k;
                 const double f = static_cast<double>(k) / static_cast<double>(size.at.size() - 1);
-                samples.push_back(
-                    {size.at[i], use.edge, i, l, along + f * size.length, size.wanted[i]});
+                const double from =
+                    static_cast<double>(i) / static_cast<double>(size.at.size() - 1);
+                samples.push_back({size.at[i],
+                                   use.edge,
+                                   i,
+                                   l,
+                                   along + f * size.length,
+                                   size.wanted[i],
+                                   size.vertex,
+                                   {from * size.length, (1 - from) * size.length}});
             }
             along += size.length;
         }
@@ -148,7 +178,7 @@ void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
                 along = std::abs(s.along - t.along);
                 along = std::min(along, length[s.loop] - along);
             }
-            if (along > detour * d) {
+            if (std::min(along, way(s, t)) > detour * d) {
                 s.size = std::min(s.size, std::max(share * d, least));
             }
         }

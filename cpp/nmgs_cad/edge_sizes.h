@@ -5,6 +5,7 @@
 #include "nmgs_cad/face_loops.h"
 #include "nmgs_cad/layout_options.h"
 
+#include <array>
 #include <map>
 #include <span>
 #include <vector>
@@ -16,6 +17,7 @@ struct EdgeSize {
     double length = 0;
     double turn = 0; // of the tangent from start to end, in radians
     bool closed = false;
+    std::array<int, 2> vertex{};           // VertexN at its start and end
     std::vector<Vec3> at;                  // where the sizes are asked for
     std::vector<double> wanted;            // there
     [[nodiscard]] double segments() const; // as a fraction: the integral of 1 / wanted

@@ -92,6 +92,8 @@ BoundaryLoop nodes_along(const CadShape &shape, const EdgeUse &use, const Layout
             node.in = tangent(curve, at[i], use.forward);
         }
         node.out = tangent(curve, at[i], use.forward);
+        const std::size_t next = use.forward ? i + 1 : i - 1;
+        node.middle = vec(curve.Value(0.5 * (at[i] + at[next])).XYZ());
         nodes.push_back(node);
     }
     return nodes;

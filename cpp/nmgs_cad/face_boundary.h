@@ -22,6 +22,7 @@ struct BoundaryNode {
     bool pole = false;               // what follows is a degenerated edge
     // Unit tangents of the boundary into the node and out of it; zero along degenerated edges.
     Vec3 in{}, out{};
+    Vec3 middle{}; // of the segment that starts here
 };
 
 using BoundaryLoop = std::vector<BoundaryNode>;

@@ -227,7 +227,7 @@ std::optional<FaceMesh> attempt(const FaceSurface &surface,
     }
     clean_up_quads(mesh, surface);
     smooth_quads(mesh, surface, 8, 20);
-    return worst_quality(mesh) >= worst_quality(plain) ? mesh : plain;
+    return worst_avoidable(mesh, surface) >= worst_avoidable(plain, surface) ? mesh : plain;
 }
 
 } // namespace
@@ -239,20 +239,28 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
                                       const Progress &progress) {
     std::optional<FaceMesh> best;
     double best_quality = -2;
-    constexpr double good = 0.45;
+    constexpr double good = 0.4;
+    constexpr double fair = 0.22; // of large layouts
+    constexpr std::size_t many = 400;
+    constexpr std::size_t most = 3000;
+    std::size_t tried = 0;
     for (const double scale : {1.0, 0.7, 1.4, 0.5, 0.35}) {
         poll(progress, 0);
+        if (tried > most) {
+            break;
+        }
         const Spacing spacing{scale, std::min(options.angle, pi / 4), options.size};
         auto mesh = attempt(surface, boundary, inner, spacing, refusal);
         if (!mesh) {
             continue;
         }
-        const double quality = worst_quality(*mesh);
+        const double quality = worst_avoidable(*mesh, surface);
+        tried += mesh->quads.size();
         if (quality > best_quality) {
             best_quality = quality;
             best = std::move(mesh);
         }
-        if (best_quality > good) {
+        if (best_quality > (tried > many ? fair : good)) {
             break;
         }
     }

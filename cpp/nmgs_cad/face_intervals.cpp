@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace nmgs::cad {
 namespace {
@@ -90,6 +92,43 @@ std::vector<std::array<Numbers, 2>> equal_chains(const FacePlan &plan) {
         return {loops};
     }
     return {};
+}
+
+// An edge of a chain and whether the chain runs as its curve does.
+struct Directed {
+    int edge;
+    bool forward;
+};
+
+std::vector<Directed> directed(const FaceLoop &loop, const Numbers &edges, std::size_t from) {
+    std::vector<Directed> result;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+        const EdgeUse &use = loop[(from + k) % loop.size()];
+        result.push_back({use.edge, use.forward});
+    }
+    return result;
+}
+
+// Opposite chains of grids, both in the same sense.
+std::vector<std::array<std::vector<Directed>, 2>> facing_chains(const FacePlan &plan) {
+    std::vector<std::array<std::vector<Directed>, 2>> result;
+    const auto add = [&](std::size_t i, std::size_t j, std::size_t from, std::size_t to) {
+        const FaceLoop &loop = plan.loops.loops.front();
+        auto one = directed(loop, side_edges(plan, i), from);
+        auto two = directed(loop, side_edges(plan, j), to);
+        std::reverse(two.begin(), two.end());
+        for (Directed &d : two) {
+            d.forward = !d.forward;
+        }
+        result.push_back({one, two});
+    };
+    if (plan.sides) {
+        add(0, 2, plan.sides->corner[0], plan.sides->corner[2]);
+        add(1, 3, plan.sides->corner[1], plan.sides->corner[3]);
+    } else if (plan.corners.size() == 2) {
+        add(0, 1, plan.corners[0], plan.corners[1]);
+    }
+    return result;
 }
 
 // Makes a pair of opposite sides equal; true when they are. changed: something was added.
@@ -307,6 +346,114 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
     std::map<int, int> result;
     for (const auto &[e, size] : sizes) {
         result[e] = work.segments(e);
+    }
+    return result;
+}
+
+std::map<int, std::vector<double>> place_divisions(const std::vector<FacePlan> &plans,
+                                                   const std::map<int, int> &counts,
+                                                   const EdgeSizes &sizes, const Layout &layout) {
+    std::map<int, std::vector<double>> result;
+    std::map<int, double> unevenness; // of what an edge has now; the most uneven is followed
+    std::set<int> settled;
+    for (const auto &[edge, n] : counts) {
+        result[edge] = sizes.at(edge).fractions(n);
+        double least = 1;
+        double most = 0;
+        double last = 0;
+        auto all = result[edge];
+        all.push_back(1);
+        for (const double f : all) {
+            least = std::min(least, f - last);
+            most = std::max(most, f - last);
+            last = f;
+        }
+        unevenness[edge] = least > 0 ? most / least : 1;
+        if (!layout.edges[static_cast<std::size_t>(edge)].empty()) {
+            settled.insert(edge);
+        }
+    }
+    // The shares of its length at which a chain is divided.
+    const auto shares = [&](const std::vector<Directed> &chain) {
+        double all = 0;
+        for (const Directed &d : chain) {
+            all += sizes.at(d.edge).length;
+        }
+        std::vector<double> at;
+        double before = 0;
+        for (const Directed &d : chain) {
+            const double length = sizes.at(d.edge).length / all;
+            auto places = result.at(d.edge);
+            if (!d.forward) {
+                std::reverse(places.begin(), places.end());
+                for (double &f : places) {
+                    f = 1 - f;
+                }
+            }
+            for (const double f : places) {
+                at.push_back(before + f * length);
+            }
+            before += length;
+            at.push_back(before);
+        }
+        at.pop_back();
+        return at;
+    };
+    const auto follow = [&](const Directed &edge, std::vector<double> at) {
+        if (at.size() != result.at(edge.edge).size()) {
+            return;
+        }
+        if (!edge.forward) {
+            std::reverse(at.begin(), at.end());
+            for (double &f : at) {
+                f = 1 - f;
+            }
+        }
+        result[edge.edge] = at;
+    };
+    for (const FacePlan &plan : plans) {
+        for (const auto &[one, two] : facing_chains(plan)) {
+            for (const auto &chain : {one, two}) {
+                for (const Directed &d : chain) {
+                    if (chain.size() > 1) {
+                        settled.insert(d.edge);
+                    }
+                }
+            }
+        }
+    }
+    // From settled edges across grids, until nothing changes; then from the most uneven edge left.
+    for (;;) {
+        bool changed = true;
+        while (changed) {
+            changed = false;
+            for (const FacePlan &plan : plans) {
+                for (const auto &[one, two] : facing_chains(plan)) {
+                    const auto known = [&](const std::vector<Directed> &chain) {
+                        return std::all_of(chain.begin(), chain.end(), [&](const Directed &d) {
+                            return settled.contains(d.edge);
+                        });
+                    };
+                    for (const auto &[from, to] : {std::pair(one, two), std::pair(two, one)}) {
+                        if (to.size() == 1 && !settled.contains(to[0].edge) && known(from)) {
+                            follow(to[0], shares(from));
+                            settled.insert(to[0].edge);
+                            changed = true;
+                        }
+                    }
+                }
+            }
+        }
+        int next = 0;
+        for (const auto &[edge, value] : unevenness) {
+            if (!settled.contains(edge) && (next == 0 || value > unevenness.at(next))) {
+                next = edge;
+            }
+        }
+        if (next == 0 || unevenness.at(next) < 1 + 1e-9) {
+            break;
+        }
+        settled.insert(next);
     }
     return result;
 }

@@ -37,4 +37,10 @@ struct FacePlan {
 std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan> &plans,
                                     const EdgeSizes &sizes, const Layout &layout);
 
+// Fractions of the edges' lengths that divide them into the numbers of segments. Single edges that
+// face a chain or another edge across a grid are divided as that is, so that the grid is not skew.
+std::map<int, std::vector<double>> place_divisions(const std::vector<FacePlan> &plans,
+                                                   const std::map<int, int> &counts,
+                                                   const EdgeSizes &sizes, const Layout &layout);
+
 } // namespace nmgs::cad

@@ -82,8 +82,8 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
             break;
         }
     }
-    for (const auto &[edge, n] : counts) {
-        layout.divide_edge(shape, edge, sizes.at(edge).fractions(n));
+    for (const auto &[edge, places] : place_divisions(plans, counts, sizes, layout)) {
+        layout.divide_edge(shape, edge, places);
     }
 }
 
@@ -105,12 +105,13 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     constexpr double good = 0.3;
     std::optional<FaceMesh> best;
     std::string method;
-    quality = -2;
+    double best_quality = -2;
     const auto consider = [&](std::optional<FaceMesh> mesh, const char *name) {
         if (mesh) {
-            const double q = worst_quality(*mesh);
-            if (q > quality) {
-                quality = q;
+            const double q = worst_avoidable(*mesh, surface);
+            if (q > best_quality) {
+                best_quality = q;
+                quality = std::min(worst_quality(*mesh), curved_quality(*mesh, surface));
                 method = name;
                 best = std::move(mesh);
             }
@@ -128,7 +129,7 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     if (boundary.size() == 2 && inner.empty() && may("ring")) {
         consider(ring_quads(surface, boundary, refusal), "ring");
     }
-    if (quality < good && may("general")) {
+    if (best_quality < good && may("general")) {
         consider(general_quads(surface, boundary, inner, options, refusal, progress), "general");
     }
     if (best) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_mesh.h"
 
+#include "nmgs/element/quad8.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -52,6 +54,7 @@ FaceMesh face_mesh_of(const FaceSurface &surface, const std::vector<BoundaryLoop
                 rim.angle = node.angle;
                 rim.to_before = -1.0 * node.in;
                 rim.to_after = node.out;
+                rim.middle_after = node.middle;
                 mesh.rim.push_back(rim);
             } else {
                 // Touched once more: what the boundary is there has no single answer.
@@ -132,6 +135,66 @@ double worst_quality(const FaceMesh &mesh) {
     double least = 1;
     for (const auto &quad : mesh.quads) {
         least = std::min(least, quad_quality(mesh, quad));
+    }
+    return least;
+}
+
+double curved_quality(const FaceMesh &mesh, const FaceSurface &surface) {
+    double least = 1;
+    for (const auto &quad : mesh.quads) {
+        std::array<Vec3, 8> nodes{};
+        Vec3 normal{};
+        for (std::size_t c = 0; c < 4; ++c) {
+            const auto a = static_cast<std::size_t>(quad[c]);
+            const auto b = static_cast<std::size_t>(quad[(c + 1) % 4]);
+            nodes[c] = mesh.points[a];
+            normal += mesh.normals[a];
+            const Vec3 straight = 0.5 * (mesh.points[a] + mesh.points[b]);
+            const bool poles = norm2(mesh.normals[a]) == 0 || norm2(mesh.normals[b]) == 0;
+            const auto follows = [&](std::size_t x, std::size_t y) {
+                return mesh.layout_point[x] >= 0 && mesh.layout_point[y] >= 0 &&
+                       mesh.rim[x].after == static_cast<std::int32_t>(y);
+            };
+            if (follows(a, b)) {
+                nodes[4 + c] = mesh.rim[a].middle_after;
+            } else if (follows(b, a)) {
+                nodes[4 + c] = mesh.rim[b].middle_after;
+            } else {
+                nodes[4 + c] =
+                    poles || surface.plane()
+                        ? straight
+                        : surface.at(surface.nearest(straight, 0.5 * (mesh.uv[a] + mesh.uv[b])));
+            }
+        }
+        if (norm2(normal) == 0) {
+            continue;
+        }
+        // Between the corners only: there the sine of the sharpest corner counts by itself.
+        constexpr std::array<double, 3> at{-0.75, 0, 0.75};
+        for (const double xi : at) {
+            for (const double eta : at) {
+                const auto [d_xi, d_eta] = quad8::tangents(nodes, xi, eta);
+                const double lengths = norm(d_xi) * norm(d_eta) * norm(normal);
+                least =
+                    std::min(least, lengths > 0 ? dot(cross(d_xi, d_eta), normal) / lengths : -1.0);
+            }
+        }
+    }
+    return least;
+}
+
+double worst_avoidable(const FaceMesh &mesh, const FaceSurface &surface) {
+    constexpr double sharp = 0.35;
+    double least = curved_quality(mesh, surface);
+    for (const auto &quad : mesh.quads) {
+        for (std::size_t c = 0; c < 4; ++c) {
+            const FaceMesh::Rim &rim = mesh.rim[static_cast<std::size_t>(quad[c])];
+            const bool whole = mesh.fixed(quad[c]) && rim.angle < sharp &&
+                               quad[(c + 1) % 4] == rim.after && quad[(c + 3) % 4] == rim.before;
+            if (!whole) {
+                least = std::min(least, corner_quality(mesh, quad, c));
+            }
+        }
     }
     return least;
 }

@@ -23,6 +23,7 @@ struct FaceMesh {
         double angle = 0;
         std::int32_t before = -1, after = -1;
         Vec3 to_before{}, to_after{};
+        Vec3 middle_after{}; // of the CAD's curve to the node after
     };
     std::vector<Rim> rim;
 
@@ -46,6 +47,12 @@ double corner_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &q
 // The least over the corners.
 double quad_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad);
 double worst_quality(const FaceMesh &mesh);
+// Least sine of the angle between the coordinate lines of the quads as 8-node patches with their
+// middles on the CAD, at the corners and on lines between them.
+double curved_quality(const FaceMesh &mesh, const FaceSurface &surface);
+// The same without the corners of the face that are sharper than about 20 degrees: no layout can
+// do anything about these.
+double worst_avoidable(const FaceMesh &mesh, const FaceSurface &surface);
 
 // Puts the nodes inside and the quads into the layout.
 void put(const FaceMesh &mesh, int face, Layout &layout);

@@ -36,7 +36,6 @@ struct Placer {
     const std::vector<Pair> &segments;
     const Spacing &spacing;
     const std::vector<Segment> &bounds;
-    Uv scale; // of the parameters: near lengths
     std::vector<Vec3> sources;
     std::vector<double> asked;
     std::vector<Uv> accepted;
@@ -44,6 +43,7 @@ struct Placer {
 
     [[nodiscard]] double wanted(Uv p, Vec3 x) const {
         constexpr double growth = 0.5;
+        constexpr double finest = 0.3;
         double h = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < sources.size(); ++i) {
             h = std::min(h, asked[i] + growth * distance(x, sources[i]));
@@ -51,7 +51,8 @@ struct Placer {
         h *= spacing.scale;
         const double k = surface.curvature(p);
         if (k > 0 && spacing.angle > 0) {
-            h = std::min(h, spacing.angle / k);
+            // Not without end: at the tip of a cone there is no curvature.
+            h = std::max(std::min(h, spacing.angle / k), finest * h);
         }
         return spacing.size > 0 ? std::min(h, spacing.size) : h;
     }
@@ -234,6 +235,7 @@ void join_poles(const std::vector<BoundaryLoop> &boundary,
             });
             mesh.rim[at(keep)].after = mesh.rim[at(gone)].after;
             mesh.rim[at(keep)].to_after = mesh.rim[at(gone)].to_after;
+            mesh.rim[at(keep)].middle_after = mesh.rim[at(gone)].middle_after;
             for (auto &rim : mesh.rim) {
                 rim.before = rim.before == gone ? keep : rim.before;
                 rim.after = rim.after == gone ? keep : rim.after;
@@ -336,7 +338,7 @@ std::optional<FaceTriangles> triangulate_face(const FaceSurface &surface,
                       scale.v * (p.v - surface.low().v)};
     };
 
-    Placer placer{surface, mesh, pieces, spacing, bounds, scale, {}, {}, {}, {}};
+    Placer placer{surface, mesh, pieces, spacing, bounds, {}, {}, {}, {}};
     for (const Pair &s : pieces) {
         const double length = distance(mesh.points[at(s[0])], mesh.points[at(s[1])]);
         for (const double t : {0.0, 0.5, 1.0}) {

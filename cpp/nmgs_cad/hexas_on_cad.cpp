@@ -50,7 +50,7 @@ struct Binder {
 
     Binder(const CadShape &s, int n, HexaMesh m, Layout l, Refusal &r)
         : shape(s), solid(n), mesh(std::move(m)), layout(std::move(l)), refusal(r),
-          tolerance(1e-6 * extent_of(s.solid(n))), locator(s, n, tolerance) {
+          tolerance(1e-5 * extent_of(s.solid(n))), locator(s, n, tolerance) {
         for (const int f : locator.faces()) {
             for (TopExp_Explorer it(shape.face(f), TopAbs_EDGE); it.More(); it.Next()) {
                 faces_of_edge[shape.edges.FindIndex(it.Current())].insert(f);
@@ -171,7 +171,7 @@ bool Binder::place_points() {
             continue;
         }
         for (const auto n : *there) {
-            if (distance(layout.points[at(n)], place) <= 10 * tolerance) {
+            if (distance(layout.points[at(n)], place) <= 3 * tolerance) {
                 number[p] = n;
             }
         }

@@ -46,8 +46,11 @@ std::optional<FaceLoop> loop_of(const CadShape &shape, const TopoDS_Face &face, 
             const int e = shape.edges.FindIndex(edge.Current());
             const int v =
                 shape.vertices.FindIndex(TopExp::FirstVertex(edge.Current(), Standard_True));
-            if (BRep_Tool::Degenerated(edge.Current()) || !seen.insert(e).second) {
-                refusal = {name + " has a pole or a seam", {name, entity_name(1, e)}};
+            if (BRep_Tool::Degenerated(edge.Current())) {
+                continue; // a pole is a vertex like others
+            }
+            if (!seen.insert(e).second) {
+                refusal = {name + " has a seam", {name, entity_name(1, e)}};
                 return std::nullopt;
             }
             loop.sides.push_back({v, e});

@@ -2,6 +2,7 @@
 #include "nmgs_cad/primitive.h"
 
 #include "nmgs_cad/entity_locator.h"
+#include "nmgs_cad/fill_finer.h"
 #include "nmgs_cad/profile_core.h"
 #include "nmgs_cad/revolution_axis.h"
 #include "nmgs_cad/section.h"
@@ -11,20 +12,27 @@
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <GProp_PrincipalProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_GTrsf.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace nmgs::cad {
 namespace {
@@ -320,16 +328,15 @@ void Turned::fill_core(std::size_t c, const Layout &flat, Carried &carried) cons
     }
 }
 
-} // namespace
-
-bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
-                    Refusal &refusal, const Progress &progress) {
+// Hexahedra of a turned solid.
+std::optional<HexaMesh> turn(const CadShape &shape, int solid, const LayoutOptions &options,
+                             Refusal &refusal, const Progress &progress) {
     const auto axis = revolution_axis(shape, solid, refusal);
     if (!axis) {
-        return false;
+        return std::nullopt;
     }
     Turned turned{shape, solid, *axis, 1e-6 * extent_of(shape.solid(solid)), {}, {}, {}};
-    // The profile is taken away from all that lies on the axis's half-planes.
+    // The profile is taken away from all that lies on half-planes of the axis.
     std::size_t widest = 0;
     const auto &angles = axis->angles;
     const auto gap = [&](std::size_t i) {
@@ -345,18 +352,20 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
     const TopoDS_Shape profile = half_section(shape.solid(solid), axis->frame, section.base);
     if (profile.IsNull()) {
         refusal = {"its profile could not be found", {entity_name(3, solid)}};
-        return false;
+        return std::nullopt;
     }
     for (const double scale : {0.5, 0.35, 0.65}) {
         poll(progress, 0.0);
-        section.levels = spread(angles, 4, false);
+        const auto least = static_cast<std::size_t>(std::ceil(full / options.angle - 0.01));
+        section.levels = spread(angles, std::max<std::size_t>(least, 4), false);
         if (!turned.cut(profile, scale, refusal)) {
             continue;
         }
         if (!turned.cores.empty()) {
-            for (const std::size_t least : {8U, 6U, 10U, 12U}) {
-                auto levels = spread(angles, least, true);
-                if (least == 8 || unevenness(levels) < 0.8 * unevenness(section.levels)) {
+            // Discs of three to six quads.
+            for (const std::size_t count : {8U, 6U, 10U, 12U}) {
+                auto levels = spread(angles, count, true);
+                if (count == 8 || unevenness(levels) < 0.8 * unevenness(section.levels)) {
                     section.levels = std::move(levels);
                 }
             }
@@ -372,11 +381,84 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
         for (std::size_t c = 0; c < turned.cores.size(); ++c) {
             turned.fill_core(c, flat, carried);
         }
-        if (add_hexas(shape, solid, carried.mesh, layout, refusal)) {
-            return true;
-        }
+        return std::move(carried.mesh);
     }
-    return false;
+    return std::nullopt;
+}
+
+// The map that makes the solid's inertia the same about all axes, and back: it turns ellipsoids
+// into balls, and cylinders and cones over ellipses into round ones.
+std::array<gp_GTrsf, 2> rounding(const TopoDS_Solid &solid) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(solid, properties);
+    const GProp_PrincipalProps principal = properties.PrincipalProperties();
+    double ix = 0;
+    double iy = 0;
+    double iz = 0;
+    principal.Moments(ix, iy, iz);
+    // Of a solid with moments I: the second moments of its mass along the axes.
+    const std::array<double, 3> second{0.5 * (iy + iz - ix), 0.5 * (iz + ix - iy),
+                                       0.5 * (ix + iy - iz)};
+    const std::array<gp_Vec, 3> axes{principal.FirstAxisOfInertia(),
+                                     principal.SecondAxisOfInertia(),
+                                     principal.ThirdAxisOfInertia()};
+    const double least = *std::min_element(second.begin(), second.end());
+    gp_Mat out(0, 0, 0, 0, 0, 0, 0, 0, 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const gp_XYZ a = axes[i].XYZ();
+        gp_Mat one;
+        one.SetCols(a.X() * a, a.Y() * a, a.Z() * a);
+        out += one * std::sqrt(least / second[i]);
+    }
+    const gp_XYZ centre = properties.CentreOfMass().XYZ();
+    return {gp_GTrsf(out, centre - out * centre),
+            gp_GTrsf(out.Inverted(), centre - out.Inverted() * centre)};
+}
+
+void transform(HexaMesh &mesh, const gp_GTrsf &by) {
+    const auto move = [&](Vec3 &p) {
+        gp_XYZ q(p.x, p.y, p.z);
+        by.Transforms(q);
+        p = {q.X(), q.Y(), q.Z()};
+    };
+    std::for_each(mesh.points.begin(), mesh.points.end(), move);
+    for (auto &[key, middle] : mesh.middles) {
+        move(middle);
+    }
+}
+
+} // namespace
+
+bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
+                    Refusal &refusal, const Progress &progress) {
+    const auto fill_turned = [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
+        const auto mesh = turn(shape, solid, finer, why, progress);
+        return mesh && add_hexas(shape, solid, *mesh, trial, why);
+    };
+    if (fill_finer(shape, solid, layout, options, refusal, progress, fill_turned)) {
+        return true;
+    }
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape.solid(solid), TopAbs_FACE, faces);
+    if (faces.Extent() > 8) {
+        return false; // nothing that is turned but for a stretch
+    }
+    const auto [out, back] = rounding(shape.solid(solid));
+    BRepBuilderAPI_GTransform round(shape.solid(solid), out, Standard_True);
+    const CadShape rounded = make_shape(round.Shape());
+    if (rounded.solids.Extent() != 1) {
+        return false;
+    }
+    return fill_finer(shape, solid, layout, options, refusal, progress,
+                      [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
+                          auto mesh = turn(rounded, 1, finer, why, progress);
+                          if (!mesh) {
+                              why.blockers = {entity_name(3, solid)};
+                              return false;
+                          }
+                          transform(*mesh, back);
+                          return add_hexas(shape, solid, *mesh, trial, why);
+                      });
 }
 
 } // namespace nmgs::cad

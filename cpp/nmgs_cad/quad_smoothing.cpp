@@ -54,7 +54,34 @@ struct Smoother {
                 sum += std::exp(-sharpness * corner_quality(mesh, quad(q), c));
             }
         }
-        return sum;
+        return sum + shortness(n);
+    }
+    // Sides that are much shorter than the others at the node cost, too: angles alone would let
+    // nodes come to lie on the boundary.
+    [[nodiscard]] double shortness(std::size_t n) const {
+        double sum = 0;
+        double count = 0;
+        std::vector<double> lengths;
+        for (const std::int32_t q : quads_at[n]) {
+            for (std::size_t c = 0; c < 4; ++c) {
+                const auto a = static_cast<std::size_t>(quad(q)[c]);
+                const auto b = static_cast<std::size_t>(quad(q)[(c + 1) % 4]);
+                const double l = distance(mesh.points[a], mesh.points[b]);
+                sum += l;
+                count += 1;
+                if (a == n || b == n) {
+                    lengths.push_back(l);
+                }
+            }
+        }
+        constexpr double sharpness = 6;
+        constexpr double enough = 0.5;
+        double cost = 0;
+        for (const double l : lengths) {
+            const double share = std::min(1.0, l * count / (enough * sum));
+            cost += std::exp(-sharpness * share) - std::exp(-sharpness);
+        }
+        return cost;
     }
     [[nodiscard]] double worst(std::size_t n) const {
         double least = 1;

@@ -211,8 +211,12 @@ double SkinMesh::edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge) co
 }
 
 double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face) {
+    return length(a, b, face, 2 / (1 / points[at(a)].size + 1 / points[at(b)].size));
+}
+
+double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face, double size) {
     const double d = distance(points[at(a)].p, points[at(b)].p);
-    const double plain = 0.5 * d * (1 / points[at(a)].size + 1 / points[at(b)].size);
+    const double plain = d / size;
     double turn = 0;
     const std::int32_t edge = segment(a, b);
     if (edge != 0) {
@@ -237,8 +241,13 @@ SkinMesh::Score SkinMesh::score(std::int32_t face, const std::array<std::int32_t
                                              corner(face, p[2]).frame};
     Score result{normal_of(where, frames), 0};
     std::array<double, 3> l{};
+    // One wanted length for all three sides: theirs would not make a triangle.
+    double size = 0;
+    for (const std::int32_t n : p) {
+        size += points[at(n)].size / 3;
+    }
     for (std::size_t i = 0; i < 3; ++i) {
-        l[i] = length(p[i], p[(i + 1) % 3], face);
+        l[i] = length(p[i], p[(i + 1) % 3], face, size);
     }
     const double s = 0.5 * (l[0] + l[1] + l[2]);
     const double area2 = s * (s - l[0]) * (s - l[1]) * (s - l[2]);
@@ -251,7 +260,7 @@ SkinMesh::Score SkinMesh::score(std::int32_t face, const std::array<std::int32_t
                          norm2(where[0] - where[2]);
     const double plain = sides > 0 ? 4 * std::numbers::sqrt3 * area / sides : 0;
     // The metric may not excuse what is flat in space.
-    result.quality = std::min(metric, 4 * plain);
+    result.quality = std::min(std::max(metric, 0.3 * plain), 4 * plain);
     return result;
 }
 
@@ -360,12 +369,13 @@ bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool for
     if (!force) {
         for (const std::int32_t t : touched) {
             const Triangle triangle = triangles[at(t)];
-            const double before = score(triangle.face, triangle.p).normal;
+            const Score before = score(triangle.face, triangle.p);
             for (const std::int32_t old : {a, b}) {
                 auto p = triangle.p;
                 std::replace(p.begin(), p.end(), old, n);
                 const Score after = score(triangle.face, p);
-                if (after.normal < std::min(least_normal, before) || after.quality < 1e-3) {
+                if (after.normal < std::min(least_normal, before.normal) ||
+                    after.quality < std::min(0.1, 0.3 * before.quality)) {
                     points.pop_back();
                     around.pop_back();
                     corners_[at(n)].clear();
@@ -571,7 +581,9 @@ bool SkinMesh::flip(std::int32_t a, std::int32_t b) {
 }
 
 void SkinMesh::split_long() {
-    for (int sweep = 0; sweep < 8; ++sweep) {
+    // Only the longest edge of a triangle is split, and the triangles are flipped before the next
+    // sweep: else thin triangles have thin children.
+    for (int sweep = 0; sweep < 24; ++sweep) {
         std::vector<std::pair<double, std::array<std::int32_t, 3>>> wanted;
         for (const auto &e : edges()) {
             const std::int32_t edge = e[2] == 0 ? segment(e[0], e[1]) : 0;
@@ -585,14 +597,26 @@ void SkinMesh::split_long() {
         }
         std::sort(wanted.begin(), wanted.end());
         int done = 0;
+        std::vector<char> touched(triangles.size(), 0);
         for (const auto &[l, e] : wanted) {
-            if (triangles.size() < 4 * most_triangles && split(e[0], e[1], e[2])) {
+            if (triangles.size() > 4 * most_triangles) {
+                break;
+            }
+            const auto own = between(e[0], e[1], e[2]);
+            const bool taken = std::any_of(own.begin(), own.end(), [&](std::int32_t t) {
+                return at(t) >= touched.size() || touched[at(t)] != 0;
+            });
+            if (!taken && split(e[0], e[1], e[2])) {
                 ++done;
+                for (const std::int32_t t : own) {
+                    touched[at(t)] = 1;
+                }
             }
         }
         if (done == 0) {
             break;
         }
+        flip();
     }
 }
 
@@ -635,7 +659,7 @@ void SkinMesh::collapse_short() {
 }
 
 void SkinMesh::flip() {
-    for (int sweep = 0; sweep < 4; ++sweep) {
+    for (int sweep = 0; sweep < 3; ++sweep) {
         int done = 0;
         for (const auto &e : edges()) {
             if (e[2] != 0 && flip(e[0], e[1])) {

@@ -84,6 +84,7 @@ public:
                                                     std::int32_t face = 0) const;
     // Edge's length by the wanted one.
     double length(std::int32_t a, std::int32_t b, std::int32_t face);
+    double length(std::int32_t a, std::int32_t b, std::int32_t face, double size);
     bool split(std::int32_t a, std::int32_t b, std::int32_t face, bool force = false);
     bool collapse(std::int32_t from, std::int32_t to, bool force = false);
     bool flip(std::int32_t a, std::int32_t b);

@@ -209,7 +209,10 @@ std::optional<SolidBoundary> boundary_of(const CadShape &shape, int solid, Refus
             continue;
         }
         const auto face = static_cast<std::size_t>(c.face);
-        const auto prev = static_cast<std::size_t>(c.prev);
+        auto prev = static_cast<std::size_t>(c.prev);
+        if (result.coedges[prev].degenerated) { // across a pole
+            prev = static_cast<std::size_t>(result.coedges[prev].prev);
+        }
         if (!result.coedges[prev].degenerated) {
             const Vec3 n = geometry.normal(i, face, c.forward ? 0 : 1);
             const double turn = signed_angle(geometry.tangent(prev, 1), geometry.tangent(i, 0), n);

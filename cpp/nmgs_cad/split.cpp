@@ -53,8 +53,40 @@ void name_images(BRepAlgoAPI_BuilderAlgo &algorithm, const TopoDS_Shape &entity,
                  const TopTools_IndexedMapOfShape &map, std::vector<CadEntity> &on) {
     for (const TopoDS_Shape &image : images(algorithm, entity)) {
         const int n = map.FindIndex(image);
-        if (n > 0) {
+        if (n > 0 && on[at(n)].dimension > as.dimension) { // the first one's name stays
             on[at(n)] = as;
+        }
+    }
+}
+
+// A vertex that has become one with a tool's may be gone from the history: it is found by place.
+void name_by_place(const CadShape &shape, const TopTools_IndexedMapOfShape &vertices,
+                   Pieces &pieces) {
+    std::set<int> there;
+    for (const CadEntity &on : pieces.vertex_on) {
+        if (on.dimension == 0) {
+            there.insert(on.index);
+        }
+    }
+    for (int n = 1; n <= vertices.Extent(); ++n) {
+        const int number = shape.vertices.FindIndex(vertices(n));
+        if (there.contains(number)) {
+            continue;
+        }
+        const TopoDS_Vertex old = TopoDS::Vertex(vertices(n));
+        int nearest = 0;
+        double least = 0;
+        for (int v = 1; v <= pieces.cad.vertices.Extent(); ++v) {
+            const TopoDS_Vertex vertex = pieces.cad.vertex(v);
+            const double away = BRep_Tool::Pnt(vertex).Distance(BRep_Tool::Pnt(old));
+            if (away <= BRep_Tool::Tolerance(vertex) + BRep_Tool::Tolerance(old) &&
+                pieces.vertex_on[at(v)].dimension != 0 && (nearest == 0 || away < least)) {
+                nearest = v;
+                least = away;
+            }
+        }
+        if (nearest > 0) {
+            pieces.vertex_on[at(nearest)] = {0, number};
         }
     }
 }
@@ -167,6 +199,7 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
                         {0, shape.vertices.FindIndex(parts.vertices(n))}, cad.vertices,
                         pieces.vertex_on);
         }
+        name_by_place(shape, parts.vertices, pieces);
         for (int n = 1; n <= cad.solids.Extent(); ++n) {
             if (pieces.solid_on[at(n)].dimension != 3) {
                 refusal.reason = "a piece has lost the solid that it comes from";
@@ -178,7 +211,7 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
             }
         }
         inherit(cad, pieces);
-        // Every entity is still there.
+        // Every entity is still there; solids that touch may have given theirs to each other.
         std::set<std::array<int, 2>> there;
         for (const auto *list : {&pieces.vertex_on, &pieces.edge_on, &pieces.face_on}) {
             for (const CadEntity &e : *list) {
@@ -198,6 +231,10 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
             }
             return false;
         };
+        if (tools.IsEmpty()) {
+            refusal = {};
+            return pieces;
+        }
         if (missing(parts.vertices, 0, shape.vertices) || missing(parts.edges, 1, shape.edges) ||
             missing(parts.faces, 2, shape.faces)) {
             return std::nullopt;
@@ -208,6 +245,12 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
         refusal.reason = std::string("OpenCASCADE: ") + failure.GetMessageString();
         return std::nullopt;
     }
+}
+
+std::optional<Pieces> imprint(const CadShape &shape, Refusal &refusal) {
+    std::vector<int> solids(at(shape.solids.Extent()));
+    std::iota(solids.begin(), solids.end(), 1);
+    return split(shape, solids, {}, refusal);
 }
 
 namespace {

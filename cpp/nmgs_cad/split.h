@@ -22,10 +22,13 @@ struct Pieces {
 };
 
 // The solids cut by all the tools at once (general fuse, so that what touches shares its faces).
-// No tools: the solids imprinted on each other. Nothing and the refusal when OpenCASCADE fails, or
-// when its pieces do not make up the solids.
+// Nothing and the refusal when OpenCASCADE fails, or when its pieces do not make up the solids.
 std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
                             const TopTools_ListOfShape &tools, Refusal &refusal);
+
+// All solids of the shape imprinted on each other: those that touch share their faces from then on.
+// What two of them have in common lies on that of the one that comes first.
+std::optional<Pieces> imprint(const CadShape &shape, Refusal &refusal);
 
 // Takes what is laid out on the pieces into the layout of the shape that they come from, which has
 // nothing yet on the edges and faces of these solids; else false and the refusal.

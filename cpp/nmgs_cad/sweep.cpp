@@ -2,6 +2,7 @@
 #include "nmgs_cad/sweep.h"
 
 #include "nmgs_cad/face_normals.h"
+#include "nmgs_cad/fill_finer.h"
 #include "nmgs_cad/loft.h"
 #include "nmgs_cad/section.h"
 
@@ -59,12 +60,18 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
         poll(progress, 0.0);
         Section section;
         if (section_along(shape, solid, direction, section, refusal) &&
-            sweep_section(shape, solid, section, layout, options, refusal, progress)) {
+            fill_finer(shape, solid, layout, options, refusal, progress,
+                       [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
+                           return sweep_section(shape, solid, section, trial, finer, why, progress);
+                       })) {
             return true;
         }
     }
     Refusal other;
-    if (fill_loft(shape, solid, layout, options, other, progress)) {
+    if (fill_finer(shape, solid, layout, options, other, progress,
+                   [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
+                       return fill_loft(shape, solid, trial, finer, why, progress);
+                   })) {
         return true;
     }
     refusal.reason += "; " + other.reason;

@@ -237,25 +237,36 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     result.worst = cells.improve(good, sweeps, progress);
     layout.points = cells.points;
 
+    // A finer skin helps where the CAD bends a tetrahedron, and a flat one anywhere is still sound.
     constexpr double folded = 0.01;
+    constexpr double flat = 1e-5;
+    constexpr double bent = 1e-3;
     std::int32_t last = -1;
     for (std::size_t h = 0; h < cells.hexas.size(); ++h) {
-        if (cells.worst(cells.hexas[h]) > folded || tet_of[h] == last) {
+        const double quality = cells.worst(cells.hexas[h]);
+        if (quality > folded || tet_of[h] == last) {
             continue;
         }
-        last = tet_of[h];
-        const auto &p = mesh.tets[at(last)].p;
+        const auto &p = mesh.tets[at(tet_of[h])].p;
         Vec3 place{0, 0, 0};
         double longest = 0;
-        bool curved = false;
+        double bend = 0;
+        bool skin_near = false;
         for (std::size_t i = 0; i < 4; ++i) {
             place += 0.25 * mesh.points[at(p[i])];
+            skin_near = skin_near || mesh.on[at(p[i])].dimension < 3;
             for (std::size_t j = i + 1; j < 4; ++j) {
-                longest = std::max(longest, distance(mesh.points[at(p[i])], mesh.points[at(p[j])]));
+                const Vec3 a = mesh.points[at(p[i])];
+                const Vec3 b = mesh.points[at(p[j])];
+                const Vec3 m = layout.points[at(middle(p[i], p[j], 0))];
+                longest = std::max(longest, distance(a, b));
+                if (layout.on[at(middle(p[i], p[j], 0))].dimension < 3) {
+                    bend = std::max(bend, distance(m, 0.5 * (a + b)) / distance(a, b));
+                }
             }
-            curved = curved || mesh.on[at(p[i])].dimension < 3;
         }
-        if (curved) {
+        if (skin_near && (bend > bent || quality <= flat)) {
+            last = tet_of[h];
             result.folded.push_back({place, longest, 0.5 * longest});
         }
     }

@@ -6,6 +6,8 @@ Only the file types are made known here; numpy and the kernel are imported when 
 
 import sys
 
+#: Meshes of other programs. FreeCAD asks which module is to open those that FEM opens as well.
+_MESHES = "*.msh *.med *.unv *.inp *.vtu *.vtk *.bdf *.nas *.su2 *.gid"
 #: (what the dialog shows, module that opens or writes it)
 IMPORT_TYPES = (
     ("NMGS surface patches (*.n2s)", "import_blocks"),
@@ -15,6 +17,7 @@ IMPORT_TYPES = (
     ("TetGen points (*.node)", "import_plc"),
     ("TetGen piecewise linear complex (*.poly *.smesh)", "import_plc"),
     ("TetGen tetrahedra (*.ele)", "import_mesh"),
+    (f"NMGS mesh ({_MESHES})", "import_mesh"),
 )
 EXPORT_TYPES = (
     ("NMGS surface patches (*.n2s)", "import_blocks"),
@@ -24,6 +27,7 @@ EXPORT_TYPES = (
     ("TetGen points (*.node)", "import_plc"),
     ("TetGen piecewise linear complex (*.poly *.smesh)", "import_plc"),
     ("TetGen tetrahedra (*.ele)", "import_mesh"),
+    (f"NMGS mesh ({_MESHES})", "import_mesh"),
 )
 
 

@@ -144,3 +144,22 @@ def test_targets_link_those_to_their_left():
     """The library links nothing of the others."""
     text = (KERNEL / "CMakeLists.txt").read_text(encoding="utf-8")
     assert not re.search(r"TK\w+|OpenCASCADE|OCCT|tetgen|TetGen|pybind11", text)
+
+
+def test_choosing_the_workbench_imports_nothing_heavy():
+    """Commands import the console API, NumPy and Part when they are used, not before."""
+    light = {"resources", "texts", "commands", "objects", "taskpanels"}
+    light |= {"objects.stale", "objects.preferences", "objects.run"}
+    light |= {"taskpanels.messages", "taskpanels.progress"}
+    package = "freecad.NMGSWorkbench."
+    start = [*(PACKAGE / "commands").glob("*.py"), PACKAGE / "init_gui.py"]
+    start += [PACKAGE / (name.replace(".", "/") + ".py") for name in light if "." in name]
+    assert len(start) > 15
+    for path in start:
+        at_once = imports(path)[1]
+        assert not at_once & {"numpy", "Part", "Fem", "pivy", "pivy.coin"}, path
+        modules = {n[len(package) :] for n in at_once if n.startswith(package)}
+        # What "from .. import name" names is a module where there is one of that name.
+        modules = {m for m in modules if (PACKAGE / (m.replace(".", "/") + ".py")).is_file()}
+        rooms = {m for m in modules if not m.startswith("commands.")}
+        assert rooms <= light | {"texts"}, (path, rooms - light)

@@ -285,6 +285,13 @@ def test_what_a_format_cannot_hold_is_refused_and_the_file_stays(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["mesh.unv"]
 
 
+def test_blocks_are_no_mesh(tmp_path):
+    for format in (*WHOLE, *OTHERS, "su2", "obj", "polyMesh"):
+        with pytest.raises(ValueError, match="generate"):
+            nmgs.write(tmp_path / "mesh", nmgs.shapes.cube(), format=format)
+    assert list(tmp_path.iterdir()) == []
+
+
 TEXT = ("msh22", "msh41", "unv", "bdf", "gid", "su2", "obj")
 
 

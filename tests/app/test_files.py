@@ -136,3 +136,25 @@ def test_export_of_what_is_no_such_thing(document, box, tmp_path):
     with pytest.raises(ValueError, match="2 are picked"):
         import_blocks.export([box, box], str(tmp_path / "box.n3s"))
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "extension", ["msh", "med", "unv", "inp", "vtu", "vtk", "bdf", "nas", "su2", "gid"]
+)
+def test_meshes_of_other_programs(document, tmp_path, extension):
+    from freecad.NMGSWorkbench import import_mesh
+
+    mesh = nmgs.shapes.cube(divisions=2).generate()
+    mesh.groups["Left"] = ("hexahedron", np.arange(4, dtype=np.int32))
+    path = tmp_path / f"cube.{extension}"
+    nmgs.write(path, mesh)
+    made = opened(path)
+    (obj,) = made.Objects
+    assert obj.FemMesh.HexaCount == 8 and obj.ElementCount == 8
+    assert obj.WorstScaledJacobian == pytest.approx(1)
+    again = tmp_path / f"again.{extension}"
+    import_mesh.export([obj], str(again))
+    back = nmgs.read(again)
+    assert len(back.cells["hexahedron"]) == 8
+    if extension != "su2":
+        assert "Left" in back.groups

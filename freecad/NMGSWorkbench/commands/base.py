@@ -8,7 +8,6 @@ from typing import Any, Dict, List, Tuple
 import FreeCAD
 import FreeCADGui
 
-from ..nmgs.errors import Cancelled
 from ..objects import stale
 from ..resources import icon
 from ..taskpanels import messages
@@ -67,6 +66,8 @@ class Command:
         return obj
 
     def Activated(self, index: int = 0) -> None:
+        from ..nmgs.errors import Cancelled  # only here: it imports NumPy and Part
+
         document = FreeCAD.ActiveDocument
         self.culprits = []
         document.openTransaction(self.menu_text)

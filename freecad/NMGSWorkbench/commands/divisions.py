@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..objects.blocking import Blocking
 from . import selection
 from .panel import PanelCommand
 
@@ -20,10 +19,10 @@ class Divisions(PanelCommand):
     panel_name = ("divisions", "DivisionsPanel")
 
     def ready(self) -> bool:
-        return len(selection.picked(Blocking)) == 1
+        return len(selection.picked(selection.BLOCKS)) == 1
 
     def argument(self) -> Any:
-        found = selection.picked(Blocking)
+        found = selection.picked(selection.BLOCKS)
         if len(found) != 1:
             raise ValueError("Pick a Blocks or Patches object, or edges of one.")
         return found[0]

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..objects.base import DocumentObject
 from . import selection
 from .panel import PanelCommand
 
@@ -18,10 +17,10 @@ class Export(PanelCommand):
     panel_name = ("export", "ExportPanel")
 
     def ready(self) -> bool:
-        return len(selection.picked(DocumentObject)) == 1
+        return len(selection.picked(selection.ANY)) == 1
 
     def argument(self) -> Any:
-        found = selection.picked(DocumentObject)
+        found = selection.picked(selection.ANY)
         if len(found) != 1:
             raise ValueError("Pick one mesh, Blocks, Patches or PLC object.")
         return found[0]

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..objects import blocks
 from . import selection
 from ..taskpanels.messages import report_left_out
 from .base import Command
@@ -21,6 +20,8 @@ class FitBlocks(Command):
         return selection.can_pick("Solid")
 
     def act(self, document: Any) -> Any:
+        from ..objects import blocks  # only here: it imports NumPy and Part
+
         source = selection.picked_solids()
         if not source:
             raise ValueError("Pick one or more solids, or a face of each.")

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..objects import patches
 from . import selection
 from ..taskpanels.messages import report_left_out
 from .base import Command
@@ -21,6 +20,8 @@ class FitPatches(Command):
         return selection.can_pick("Face")
 
     def act(self, document: Any) -> Any:
+        from ..objects import patches  # only here: it imports NumPy and Part
+
         source = selection.picked_faces()
         if not source:
             raise ValueError("Pick one or more faces, or an object that has faces.")

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..objects import structured_mesh
-from ..objects.blocking import Blocking
 from ..taskpanels.messages import warn_of_quality
 from . import selection
 from .base import Command
@@ -21,11 +19,13 @@ class GenerateMesh(Command):
     )
 
     def ready(self) -> bool:
-        return bool(selection.picked(Blocking))
+        return bool(selection.picked(selection.BLOCKS))
 
     def act(self, document: Any) -> Any:
+        from ..objects import structured_mesh  # only here: it imports NumPy and Part
+
         made = None
-        for blocks in selection.picked(Blocking):
+        for blocks in selection.picked(selection.BLOCKS):
             made = structured_mesh.make(document)
             made.Blocks = blocks
             self.computed(made)

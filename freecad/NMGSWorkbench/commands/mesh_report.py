@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..objects.mesh_base import MeshObject
 from . import selection
 from .panel import PanelCommand
 
@@ -18,10 +17,10 @@ class MeshReport(PanelCommand):
     panel_name = ("report", "ReportPanel")
 
     def ready(self) -> bool:
-        return bool(selection.picked(MeshObject))
+        return bool(selection.picked(selection.MESH))
 
     def argument(self) -> Any:
-        found = selection.picked(MeshObject)
+        found = selection.picked(selection.MESH)
         if not found:
             raise ValueError("Pick a mesh.")
         return found[0]

@@ -9,7 +9,6 @@ from typing import Any, Tuple
 import FreeCAD
 import FreeCADGui
 
-from ..nmgs.errors import Cancelled
 from ..taskpanels import messages
 from .base import Command
 
@@ -24,6 +23,8 @@ class PanelCommand(Command):
         raise NotImplementedError
 
     def Activated(self, index: int = 0) -> None:
+        from ..nmgs.errors import Cancelled  # only here: it imports NumPy and Part
+
         package = __package__.rpartition(".")[0]
         try:
             module = importlib.import_module(f"{package}.taskpanels.{self.panel_name[0]}")

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..objects.blocking import Blocking
-from ..objects.mesh_base import MeshObject
 from . import selection
 from .panel import PanelCommand
 
@@ -21,10 +19,10 @@ class PlotOptions(PanelCommand):
     panel_name = ("plot", "PlotPanel")
 
     def ready(self) -> bool:
-        return bool(selection.picked(MeshObject) or selection.picked(Blocking))
+        return bool(selection.picked(selection.MESH) or selection.picked(selection.BLOCKS))
 
     def argument(self) -> Any:
-        found = selection.picked(MeshObject) or selection.picked(Blocking)
+        found = selection.picked(selection.MESH) or selection.picked(selection.BLOCKS)
         if not found:
             raise ValueError("Pick a mesh or blocks.")
         return found[0]

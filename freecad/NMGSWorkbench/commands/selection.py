@@ -7,18 +7,28 @@ from typing import Any, List, Tuple
 
 import FreeCADGui
 
-from ..objects.base import DocumentObject
-
 #: A LinkSubList's value: [(object, ("Face1", "Face2")), ...].
 Source = List[Tuple[Any, Tuple[str, ...]]]
 
 
-def picked(kind: type) -> List[Any]:
+#: Kinds of NMGS objects, by the name of a class of their proxy.
+BLOCKS, MESH, ANY = "Blocking", "MeshObject", "DocumentObject"
+_PACKAGE = __package__.rpartition(".")[0]
+
+
+def is_kind(obj: Any, kind: str) -> bool:
+    """Whether obj is an NMGS object of a kind. By name: the classes themselves would have to be
+    imported, with all that they need, as soon as the workbench is chosen."""
+    return any(
+        base.__name__ == kind and base.__module__.startswith(_PACKAGE)
+        for base in type(getattr(obj, "Proxy", None)).__mro__
+    )
+
+
+def picked(kind: str) -> List[Any]:
     """The picked objects of a kind of NMGS object, in the order they were picked."""
     return [
-        pick.Object
-        for pick in FreeCADGui.Selection.getSelectionEx()
-        if isinstance(getattr(pick.Object, "Proxy", None), kind)
+        pick.Object for pick in FreeCADGui.Selection.getSelectionEx() if is_kind(pick.Object, kind)
     ]
 
 
@@ -36,7 +46,7 @@ def has_cad(obj: Any, element: str) -> bool:
     """Whether obj has CAD geometry with such elements; the edges of blocks are not meant."""
     if not obj.isDerivedFrom("Part::Feature"):
         return False
-    if isinstance(getattr(obj, "Proxy", None), DocumentObject):
+    if is_kind(obj, ANY):
         return False
     return bool(obj.Shape.countElement(element))
 

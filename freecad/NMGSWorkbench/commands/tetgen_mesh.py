@@ -8,9 +8,7 @@ from typing import Any
 
 import FreeCAD
 
-from ..nmgs.tetgen import TetOptions
-from ..objects import preferences, tetgen_mesh
-from ..objects.base import DocumentObject
+from ..objects import preferences
 from ..taskpanels.messages import warn_of_quality
 from . import selection
 from .base import Command
@@ -23,13 +21,15 @@ class TetGenMesh(Command):
     tooltip = "Fill the picked solids, PLC, blocks or closed surface mesh with TetGen's tetrahedra"
 
     def ready(self) -> bool:
-        return bool(selection.picked(DocumentObject)) or selection.can_pick("Solid")
+        return bool(selection.picked(selection.ANY)) or selection.can_pick("Solid")
 
     def act(self, document: Any) -> Any:
-        source = [(obj, ("",)) for obj in selection.picked(DocumentObject)[:1]]
+        source = [(obj, ("",)) for obj in selection.picked(selection.ANY)[:1]]
         source = source or selection.picked_solids()
         if not source:
             raise ValueError("Pick a solid, a PLC, blocks, patches or a mesh.")
+        from ..objects import tetgen_mesh  # only here: it imports NumPy and Part
+
         obj = tetgen_mesh.make(document)
         obj.Source = source
         obj.Switches = suggested_switches(source)
@@ -47,8 +47,10 @@ def suggested_switches(source: selection.Source) -> str:
     first = source[0][0]
     if getattr(first, "FacetCount", None) == 0:
         return ""
-    if isinstance(getattr(first, "Proxy", None), DocumentObject):
+    if selection.is_kind(first, selection.ANY):
         return "pq"
+    from ..nmgs.tetgen import TetOptions
+
     box = FreeCAD.BoundBox()
     for part, _ in source:
         box.add(part.Shape.BoundBox)

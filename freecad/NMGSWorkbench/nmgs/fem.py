@@ -5,10 +5,9 @@ from __future__ import annotations
 
 from typing import Any, Callable, Optional
 
-from ..fem.fem_mesh import fem_mesh
 from .mesh import Mesh
 
-__all__ = ["fem_mesh", "to_fem"]
+__all__ = ["to_fem"]
 
 
 def to_fem(
@@ -28,6 +27,8 @@ def to_fem(
     """
     import FreeCAD
 
+    # Not above: they import this package themselves.
+    from ..fem.fem_mesh import fem_mesh
     from ..objects.run import run  # the window's dialog where there is one
 
     if not isinstance(mesh, Mesh):

@@ -7,6 +7,9 @@ import importlib
 import os
 from typing import Any, Dict, Optional, Tuple
 
+from .block_model import BlockModel
+from .mesh import Mesh
+
 #: format name -> (module beside this one, reader or "", writer or "")
 FORMATS: Dict[str, Tuple[str, str, str]] = {
     "inp": ("abaqus_file", "read_inp", "write_inp"),
@@ -46,6 +49,20 @@ FORMATS: Dict[str, Tuple[str, str, str]] = {
 }
 
 
+#: Modules whose writers take meshes and nothing else.
+_MESHES_ONLY = (
+    "abaqus_file",
+    "elmer_files",
+    "gid_file",
+    "gmsh_file",
+    "med_file",
+    "nastran_file",
+    "obj_file",
+    "openfoam_files",
+    "su2_file",
+    "unv_file",
+    "vtk_file",
+)
 #: Formats of files and folders that have a name instead of an extension.
 NAMED = ("polymesh", "blockmeshdict")
 
@@ -91,4 +108,8 @@ def write(
     Raises ValueError when the format cannot hold the object.
     """
     name = os.fspath(path)
-    _function(_format_of(name, format), 2)(name, obj, **options)
+    kind = _format_of(name, format)
+    if FORMATS[kind][0] in _MESHES_ONLY and not isinstance(obj, Mesh):
+        hint = "; generate() makes one" if isinstance(obj, BlockModel) else ""
+        raise ValueError(f"obj: {kind!r} holds a Mesh, got {type(obj).__name__}{hint}")
+    _function(kind, 2)(name, obj, **options)

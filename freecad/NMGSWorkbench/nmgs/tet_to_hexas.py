@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -21,6 +22,8 @@ SWITCHES = ("pYAq1.6/8", "pYA")
 MOST = 12
 #: How often the skin is made finer where hexahedra fold or TetGen cannot keep it.
 ROUNDS = 5
+#: Seconds after which no further round begins.
+PATIENCE = 40.0
 #: Seconds for one run of TetGen.
 TIMEOUT = 60.0
 
@@ -41,7 +44,11 @@ def fill(
     wanted = sorted({face for rows in faces.values() for face, _ in rows})
     limits = np.empty((0, 5))
     best: Tuple[float, Any] = (-np.inf, None)
+    start = time.monotonic()
+    vain = 0  # rounds that made nothing better
     for round_ in range(ROUNDS):
+        if vain > 1 or (best[1] is not None and time.monotonic() - start > PATIENCE):
+            break
         skin = kernel.make_skin(shape, wanted, limits=limits, progress=_share(progress, round_, 0))
         tets: List[Tuple[int, np.ndarray, np.ndarray]] = []
         finer: List[np.ndarray] = []
@@ -53,6 +60,7 @@ def fill(
         if not len(where):
             layout = kernel.Layout(shape)
             worst, where = kernel.tets_to_hexas(shape, skin, tets, layout, progress)
+            vain = 0 if worst > best[0] else vain + 1
             if worst > best[0]:
                 best = (worst, layout)
         if not len(where):
@@ -60,7 +68,7 @@ def fill(
         limits = np.concatenate([limits, where])
     if best[1] is None:
         names = [f"Solid{n}" for n in solids]
-        reason = "TetGen cannot keep the skin of " + ", ".join(names)
+        reason = "TetGen cannot fill the skin of " + ", ".join(names)
         raise BlockingError(f"no blocks: {reason}", names, [reason] * len(names))
     return kernel.tet_blocks(shape, best[1], list(solids), tolerance, progress)
 
@@ -100,10 +108,12 @@ def _tetrahedra(
         chosen = (mesh, added)
         break
     if chosen is None:
+        corners = skin.points[used][local]
         facets = last.facets if last is not None else []
-        if not facets:
-            raise BlockingError(f"Solid{solid}: {last}", [f"Solid{solid}"], [str(last)])
-        return (*nothing, _spheres(skin.points[used][local[facets]]))
+        spheres = _spheres(corners[facets] if facets else corners)
+        if not facets:  # TetGen does not say where: finer everywhere
+            spheres[:, 4] *= 1.4
+        return (*nothing, spheres)
     mesh, added = chosen
     if len(added):
         places = mesh.points[added]

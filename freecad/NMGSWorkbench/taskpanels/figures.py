@@ -5,12 +5,15 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..texts import tr
+
 
 def text(obj: Any) -> str:
     """Nodes, elements of each type and the worst scaled Jacobian."""
     if not obj.ElementCount:
-        return "No mesh yet"
-    return (
-        f"{obj.NodeCount} nodes; {', '.join(obj.Elements)}; "
-        f"worst scaled Jacobian {obj.WorstScaledJacobian:.4g}"
+        return tr("No mesh yet")
+    return tr("{nodes} nodes; {elements}; worst scaled Jacobian {worst}").format(
+        nodes=obj.NodeCount,
+        elements=", ".join(obj.Elements),
+        worst=f"{obj.WorstScaledJacobian:.4g}",
     )

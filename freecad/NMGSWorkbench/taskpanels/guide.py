@@ -41,6 +41,7 @@ def show(parent: Any) -> Any:
     # Pictures are named relative to the guide.
     document.setBaseUrl(QtCore.QUrl.fromLocalFile(path))
     document.setMarkdown(text)
+    browser.moveCursor(QtGui.QTextCursor.Start)
     window.show()
     _windows.append(window)
     return browser

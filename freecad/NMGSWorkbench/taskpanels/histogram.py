@@ -8,6 +8,8 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 from PySide import QtCore, QtGui
 
+from .base import flags_value
+
 _MARGIN = 34
 _BASE = 26
 _TOP = 14
@@ -84,7 +86,7 @@ class Histogram(QtGui.QWidget):
                 painter.drawRect(box)
                 painter.setPen(ink)
                 above = QtCore.QRectF(box.left() - 20, box.top() - _TOP, box.width() + 40, _TOP)
-                painter.drawText(above, int(QtCore.Qt.AlignCenter), str(count))
+                painter.drawText(above, flags_value(QtCore.Qt.AlignCenter), str(count))
         painter.setPen(ink)
         painter.drawLine(_MARGIN, base, self.width() - 8, base)
         self._write_edges(painter, base)
@@ -98,4 +100,4 @@ class Histogram(QtGui.QWidget):
         for number in range(0, len(self._edges), every):
             box = QtCore.QRectF(_MARGIN + number * width - 30, base + 3, 60, _BASE - 4)
             text = f"{self._edges[number]:.3g}"
-            painter.drawText(box, int(QtCore.Qt.AlignHCenter | QtCore.Qt.AlignTop), text)
+            painter.drawText(box, flags_value(QtCore.Qt.AlignHCenter | QtCore.Qt.AlignTop), text)

@@ -10,12 +10,13 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ..nmgs.errors import Error
 from ..objects import preferences
 
 
 def show_error(title: str, error: BaseException) -> Any:
     """A message box that does not block; the report view gets the text as well. Returns the box."""
+    from ..nmgs.errors import Error  # only here: it imports NumPy and Part
+
     expected = isinstance(error, (Error, ValueError, TypeError, OSError))
     text = str(error) or type(error).__name__
     if not expected:

@@ -8,6 +8,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from ..nmgs import TetOptions
+from ..texts import tr
 
 VALUE = 2
 
@@ -19,7 +20,7 @@ class OptionTable:
         self._table = table
         self._rows = TetOptions.table(TetOptions().version)
         table.setColumnCount(3)
-        table.setHorizontalHeaderLabels(["Option", "Switch", "Value"])
+        table.setHorizontalHeaderLabels([tr("Option"), tr("Switch"), tr("Value")])
         table.setRowCount(len(self._rows))
         table.verticalHeader().setVisible(False)
         fixed = QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable

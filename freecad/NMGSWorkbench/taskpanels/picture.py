@@ -182,7 +182,7 @@ def paint(
         painter.setFont(font)
         painter.setPen(QtGui.QColor(20, 30, 45))
         top = QtCore.QRectF(box.left(), box.top(), box.width(), head)
-        painter.drawText(top, int(QtCore.Qt.AlignCenter), title)
+        painter.drawText(top, flags_value(QtCore.Qt.AlignCenter), title)
     if axes:
         font.setPixelSize(max(int(0.022 * box.height()), 8))
         painter.setFont(font)
@@ -246,7 +246,7 @@ def _write(painter: Any, box: Any, place: Any, middle: Any, words: str) -> None:
     shift = 0.03 * box.height() / length
     at = QtCore.QPointF(place.x() + shift * away.x(), place.y() + shift * away.y())
     frame = QtCore.QRectF(at.x() - 100, at.y() - 20, 200, 40)
-    painter.drawText(frame, int(QtCore.Qt.AlignCenter), words)
+    painter.drawText(frame, flags_value(QtCore.Qt.AlignCenter), words)
 
 
 def _bounds(document: Any) -> Optional[Any]:

@@ -12,8 +12,8 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from ..nmgs.errors import Cancelled
 from ..objects import run
+from ..texts import tr
 
 #: Work shorter than this handles no events at all.
 INSTANT_S = 0.05
@@ -70,7 +70,7 @@ def _loop(
 
 def _wait_behind_dialog(worker: _Worker, text: str) -> None:
     # The dialog is modal for the whole application: nobody changes the document meanwhile.
-    dialog = QtGui.QProgressDialog(text, "Cancel", 0, 0, FreeCADGui.getMainWindow())
+    dialog = QtGui.QProgressDialog(tr(text), tr("Cancel"), 0, 0, FreeCADGui.getMainWindow())
     dialog.setObjectName("NMGS_Progress")
     dialog.setWindowTitle("NMGS")
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)
@@ -80,7 +80,7 @@ def _wait_behind_dialog(worker: _Worker, text: str) -> None:
 
     def poll() -> None:
         if worker.cancelled:
-            dialog.setLabelText("Stopping")
+            dialog.setLabelText(tr("Stopping"))
         elif worker.fraction >= 0.0:
             dialog.setMaximum(1000)
             dialog.setValue(int(1000 * min(worker.fraction, 1.0)))
@@ -119,6 +119,8 @@ def run_behind_dialog(job: run.Job, text: str) -> Any:
     finally:
         sys.setswitchinterval(interval)
     if worker.cancelled:
+        from ..nmgs.errors import Cancelled  # only here: it imports NumPy and Part
+
         raise Cancelled(f"{text}: cancelled")
     if worker.error is not None:
         raise worker.error

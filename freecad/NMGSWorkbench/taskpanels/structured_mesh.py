@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from ..texts import tr
 from . import figures
 from .base import Panel
 
@@ -14,7 +15,7 @@ class StructuredMeshPanel(Panel):
     def fill(self) -> None:
         form, obj = self.form, self.obj
         form.order.clear()
-        form.order.addItems(["1: linear elements", "2: quadratic elements"])
+        form.order.addItems([tr("1: linear elements"), tr("2: quadratic elements")])
         form.order.setCurrentIndex(obj.Order - 1)
         form.split.setChecked(obj.Split)
         form.snap.setChecked(obj.Snap)

@@ -4,22 +4,24 @@
 from __future__ import annotations
 
 import contextlib
-from typing import Any, Iterator
+from typing import Any, Iterator, Tuple
 
 from ..nmgs import TetOptions
+from ..texts import tr
 from . import figures
 from .base import Panel
 from .option_table import OptionTable
 
-#: What the user wants, and the switches that ask for it.
-PRESETS = (
-    ("Quality mesh of the boundary", "pq1.4"),
-    ("Mesh of the boundary", "p"),
-    ("Mesh of the boundary, its triangles kept", "pY"),
-    ("Delaunay mesh of the points", ""),
-    ("Convex hull of the points", "E"),
-)
-OWN = "Own choice"
+
+def presets() -> Tuple[Tuple[str, str], ...]:
+    """What the user wants, and the switches that ask for it."""
+    return (
+        (tr("Quality mesh of the boundary"), "pq1.4"),
+        (tr("Mesh of the boundary"), "p"),
+        (tr("Mesh of the boundary, its triangles kept"), "pY"),
+        (tr("Delaunay mesh of the points"), ""),
+        (tr("Convex hull of the points"), "E"),
+    )
 
 
 class TetGenMeshPanel(Panel):
@@ -35,7 +37,7 @@ class TetGenMeshPanel(Panel):
         form, obj = self.form, self.obj
         if self._table is None:
             self._table = OptionTable(form.options)
-            form.preset.addItems([OWN, *(name for name, _ in PRESETS)])
+            form.preset.addItems([tr("Own choice"), *(name for name, _ in presets())])
             form.preset.currentIndexChanged[int].connect(self._take_preset)
             form.switches.textChanged.connect(self._take_switches)
             form.options.itemChanged.connect(self._take_options)
@@ -68,13 +70,13 @@ class TetGenMeshPanel(Panel):
 
     def _take_preset(self, index: int) -> None:
         if index > 0 and not self._quiet:
-            self.form.switches.setText(PRESETS[index - 1][1])
+            self.form.switches.setText(presets()[index - 1][1])
 
     def _take_switches(self, text: str) -> None:
         with self._silence() as mine:
             if not mine:
                 return
-            known = [switches for _, switches in PRESETS]
+            known = [switches for _, switches in presets()]
             self.form.preset.setCurrentIndex(known.index(text) + 1 if text in known else 0)
             try:
                 self._table.show(TetOptions.parse(text))

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/fill_finer.h"
+
+#include "nmgs_cad/entity_locator.h"
+#include "nmgs_cad/layout_quality.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace nmgs::cad {
+
+bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
+                Refusal &refusal, const Progress &progress,
+                const std::function<bool(Layout &, const LayoutOptions &, Refusal &)> &fill,
+                double good) {
+    struct Step {
+        double angle;  // of the one asked for
+        double pieces; // of the solid's extent, 0: any length
+    };
+    constexpr Step steps[] = {{1, 0}, {0.5, 0}, {1, 10}, {0.5, 20}, {0.25, 30}};
+    constexpr std::size_t enough = 20000; // hexahedra: no finer than this
+    std::optional<Layout> best;
+    double quality = -2;
+    for (const Step &step : steps) {
+        poll(progress, 0.0);
+        LayoutOptions finer = options;
+        finer.angle *= step.angle;
+        if (step.pieces > 0) {
+            const double size = extent_of(shape.solid(solid)) / step.pieces;
+            finer.size = options.size > 0 ? std::min(options.size, size) : size;
+        }
+        Layout trial = layout;
+        Refusal why;
+        if (!fill(trial, finer, why)) {
+            if (!best) {
+                refusal = why;
+                return false;
+            }
+            continue;
+        }
+        const double worst = layout_quality(shape, trial, layout.hexas.size()).worst;
+        const std::size_t count = trial.hexas.size() - layout.hexas.size();
+        if (!best || worst > quality) {
+            quality = worst;
+            best = std::move(trial);
+        }
+        if (quality >= good || count > enough) {
+            break;
+        }
+    }
+    layout = std::move(*best);
+    return true;
+}
+
+} // namespace nmgs::cad

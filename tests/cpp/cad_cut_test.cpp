@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/cut.h"
+#include "nmgs_cad/split.h"
+
+#include "cad_layout_checks.h"
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
+
+namespace {
+
+using namespace nmgs::cad;
+
+TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
+    return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
+}
+TopoDS_Shape cylinder(const gp_Pnt &p, const gp_Dir &axis, double radius, double height) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(p, axis), radius, height).Shape();
+}
+TopoDS_Shape fused(const TopoDS_Shape &a, const TopoDS_Shape &b) {
+    return BRepAlgoAPI_Fuse(a, b).Shape();
+}
+TopoDS_Shape cut(const TopoDS_Shape &a, const TopoDS_Shape &b) {
+    return BRepAlgoAPI_Cut(a, b).Shape();
+}
+
+TopoDS_Shape octahedron() {
+    const std::vector<gp_Pnt> points{{1, 0, 0},  {0, 1, 0}, {-1, 0, 0},
+                                     {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    BRepBuilderAPI_Sewing sewing;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (const std::size_t top : {4U, 5U}) {
+            BRepBuilderAPI_MakePolygon triangle(points[i], points[(i + 1) % 4], points[top],
+                                                Standard_True);
+            sewing.Add(BRepBuilderAPI_MakeFace(triangle.Wire()).Face());
+        }
+    }
+    sewing.Perform();
+    return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape())).Shape();
+}
+
+void expect_filled(const TopoDS_Shape &solid, double tolerance) {
+    const CadShape shape = make_shape(solid);
+    ASSERT_EQ(shape.solids.Extent(), 1);
+    Layout layout(shape);
+    Refusal refusal;
+    ASSERT_TRUE(fill_cut(shape, 1, layout, {}, refusal, {})) << refusal.reason;
+    expect_sound(shape, layout, tolerance);
+}
+
+TEST(Split, PiecesKnowWhereTheyComeFrom) {
+    const CadShape shape = make_shape(box(0, 0, 0, 4, 2, 2));
+    TopTools_ListOfShape tools;
+    Cut plane;
+    plane.place = gp_Ax3(gp_Pnt(1, 0, 0), gp_Dir(1, 0, 0));
+    tools.Append(cut_face(shape, plane));
+    Refusal refusal;
+    const std::vector<int> solids{1};
+    const auto pieces = split(shape, solids, tools, refusal);
+    ASSERT_TRUE(pieces) << refusal.reason;
+    EXPECT_EQ(pieces->cad.solids.Extent(), 2);
+    const auto count = [](const std::vector<CadEntity> &list, int dimension) {
+        return std::count_if(list.begin() + 1, list.end(),
+                             [&](const CadEntity &e) { return e.dimension == dimension; });
+    };
+    EXPECT_EQ(count(pieces->vertex_on, 0), 8);
+    EXPECT_EQ(count(pieces->vertex_on, 1), 4);
+    EXPECT_EQ(count(pieces->edge_on, 1), 16); // four of the twelve in two
+    EXPECT_EQ(count(pieces->edge_on, 2), 4);
+    EXPECT_EQ(count(pieces->face_on, 2), 10);
+    EXPECT_EQ(count(pieces->face_on, 3), 1);
+    EXPECT_EQ(count(pieces->solid_on, 3), 2);
+    for (int v = 1; v <= pieces->cad.vertices.Extent(); ++v) {
+        const CadEntity on = pieces->vertex_on[static_cast<std::size_t>(v)];
+        if (on.dimension == 0) {
+            EXPECT_LT(BRep_Tool::Pnt(pieces->cad.vertex(v))
+                          .Distance(BRep_Tool::Pnt(shape.vertex(on.index))),
+                      1e-9);
+        }
+    }
+}
+
+TEST(Split, ImprintedSolidsShareTheirFaces) {
+    // A small box on a large one, and one apart.
+    TopoDS_Compound compound;
+    BRep_Builder builder;
+    builder.MakeCompound(compound);
+    builder.Add(compound, box(0, 0, 0, 4, 4, 1));
+    builder.Add(compound, box(1, 1, 1, 2, 2, 1));
+    builder.Add(compound, box(9, 0, 0, 1, 1, 1));
+    const CadShape shape = make_shape(compound);
+    EXPECT_EQ(shape.faces.Extent(), 18);
+    Refusal refusal;
+    const auto pieces = imprint(shape, refusal);
+    ASSERT_TRUE(pieces) << refusal.reason;
+    EXPECT_EQ(pieces->cad.solids.Extent(), 3);
+    EXPECT_EQ(pieces->cad.faces.Extent(), 18); // one face less, one in two
+    std::set<int> solids;
+    for (int n = 1; n <= 3; ++n) {
+        solids.insert(pieces->solid_on[static_cast<std::size_t>(n)].index);
+    }
+    EXPECT_EQ(solids.size(), 3U);
+}
+
+TEST(Cut, ObstaclesAreTheConcaveEdges) {
+    const CadShape step = make_shape(cut(box(0, 0, 0, 3, 3, 3), box(1, -1, 1, 9, 9, 9)));
+    const auto edges = obstacles(step, 1);
+    ASSERT_EQ(edges.size(), 1U);
+    for (const gp_Pnt &p : {gp_Pnt(1, 0, 1), gp_Pnt(1, 3, 1)}) {
+        bool ends = false;
+        const CadShape edge = make_shape(step.edge(edges[0]));
+        for (int v = 1; v <= 2; ++v) {
+            ends = ends || BRep_Tool::Pnt(edge.vertex(v)).Distance(p) < 1e-9;
+        }
+        EXPECT_TRUE(ends);
+    }
+    EXPECT_TRUE(obstacles(make_shape(box(0, 0, 0, 1, 2, 3)), 1).empty());
+    const auto cuts = propose_cuts(step, 1);
+    ASSERT_GE(cuts.size(), 2U);
+    for (const Cut &c : cuts) {
+        EXPECT_FALSE(c.name.empty());
+        EXPECT_FALSE(c.entities.empty());
+        EXPECT_GE(c.resolves, 1);
+    }
+    EXPECT_TRUE(propose_cuts(make_shape(box(0, 0, 0, 1, 2, 3)), 1).empty());
+}
+
+TEST(Cut, FillsStepsBossesAndHoles) {
+    expect_filled(cut(box(0, 0, 0, 3, 3, 3), box(1, -1, 1, 9, 9, 9)), 1e-9);
+    expect_filled(cylinder(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), 1, 2), 1e-2);
+    const gp_Dir up(0, 0, 1);
+    expect_filled(cut(box(-2, -2, 0, 4, 4, 1), cylinder(gp_Pnt(0, 0, -1), up, 1, 3)), 1e-2);
+    expect_filled(fused(box(-2, -2, 0, 4, 4, 1), cylinder(gp_Pnt(0, 0, 1), up, 1, 1.5)), 1e-2);
+}
+
+TEST(Cut, FillsCylindersThatCross) {
+    expect_filled(fused(cylinder(gp_Pnt(0, 0, -3), gp_Dir(0, 0, 1), 1, 6),
+                        cylinder(gp_Pnt(-3, 0, 0), gp_Dir(1, 0, 0), 1, 6)),
+                  2e-2);
+}
+
+TEST(Cut, FillsSolidsWhereFourEdgesMeet) {
+    expect_filled(octahedron(), 1e-9);
+}
+
+TEST(Cut, FillsABracketWithHolesInBothLegs) {
+    TopoDS_Shape bracket = fused(box(0, 0, 0, 6, 4, 1), box(0, 0, 1, 1, 4, 4));
+    bracket = cut(bracket, cylinder(gp_Pnt(4, 2, -1), gp_Dir(0, 0, 1), 0.8, 3));
+    bracket = cut(bracket, cylinder(gp_Pnt(-1, 2, 3), gp_Dir(1, 0, 0), 0.8, 3));
+    expect_filled(bracket, 1e-2);
+}
+
+TEST(Cut, LeavesALayoutThatNeighboursHaveBegun) {
+    const CadShape shape = make_shape(cylinder(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), 1, 2));
+    Layout layout(shape);
+    const std::vector<double> thirds{1.0 / 3, 2.0 / 3};
+    layout.divide_edge(shape, 1, thirds);
+    const auto points = layout.points.size();
+    Refusal refusal;
+    EXPECT_FALSE(fill_cut(shape, 1, layout, {}, refusal, {}));
+    EXPECT_EQ(refusal.blockers, std::vector<std::string>{"Edge1"});
+    EXPECT_EQ(layout.points.size(), points);
+    EXPECT_TRUE(layout.hexas.empty());
+}
+
+TEST(Cut, CancelStopsTheSearch) {
+    const CadShape shape = make_shape(
+        fused(box(-2, -2, 0, 4, 4, 1), cylinder(gp_Pnt(0, 0, 1), gp_Dir(0, 0, 1), 1, 1.5)));
+    Layout layout(shape);
+    Refusal refusal;
+    EXPECT_THROW(fill_cut(shape, 1, layout, {}, refusal, [](double) { return false; }),
+                 nmgs::Cancelled);
+    EXPECT_TRUE(layout.points.empty());
+}
+
+} // namespace
