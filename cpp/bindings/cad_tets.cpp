@@ -8,6 +8,7 @@
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/skin.h"
 #include "nmgs_cad/tets_to_hexas.h"
+#include "nmgs_cad/untangle.h"
 
 #include <TopExp_Explorer.hxx>
 #include <pybind11/stl.h>
@@ -110,7 +111,10 @@ py::dict tet_blocks(const cad::CadShape &shape, const cad::Layout &layout,
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        blocks = cad::blocks_of(shape, layout, 3);
+        // Also the points on the CAD's edges and faces find better places.
+        cad::Layout better = layout;
+        cad::improve(shape, better, {.good = 0.4}, listener);
+        blocks = cad::blocks_of(shape, better, 3);
         for (const int solid : solids) {
             cad::FitEntry entry;
             entry.entity = {3, solid};

@@ -452,8 +452,11 @@ Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
     builder.number_nodes(points);
     poll(progress, 0.9);
     builder.make_cells();
-    builder.improve(shape, progress ? Progress([&](double f) { return progress(0.9 + 0.1 * f); })
-                                    : Progress());
+    if (options.improve) {
+        builder.improve(shape, progress
+                                   ? Progress([&](double f) { return progress(0.9 + 0.1 * f); })
+                                   : Progress());
+    }
     if (model.dimension == 3) {
         builder.make_boundary();
     }

@@ -18,7 +18,8 @@ LayoutQuality layout_quality(const CadShape &shape, const Layout &layout, std::s
     std::fill(blocks.model.divisions.begin(), blocks.model.divisions.end(),
               std::array<std::int32_t, 3>{divisions, divisions, divisions});
     try {
-        const Mesh mesh = generate_on_cad(shape, blocks, 1, {.tolerance = -1, .force = true});
+        const Mesh mesh =
+            generate_on_cad(shape, blocks, 1, {.tolerance = -1, .force = true, .improve = false});
         const CellView hexas{CellType::hexahedron,
                              {mesh.cells.front().nodes.data(), mesh.cells.front().nodes.size()}};
         const auto worst =

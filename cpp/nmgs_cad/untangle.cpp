@@ -107,19 +107,40 @@ Cells cells_of(const Layout &layout, std::size_t first) {
     return cells;
 }
 
+// Whether the points of each CAD edge still follow each other.
+bool in_order(const CadShape &shape, const Layout &layout) {
+    BorrowedGeometry geometry(shape);
+    for (std::size_t n = 1; n < layout.edges.size(); ++n) {
+        const auto &points = layout.edges[n];
+        if (points.size() < 4) {
+            continue; // one point between two ends
+        }
+        const EdgeCurve &curve = geometry->curve(static_cast<int>(n));
+        double last = 0;
+        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+            const double f = curve.fraction(layout.points[static_cast<std::size_t>(points[i])]);
+            if (!(f > last)) {
+                return false;
+            }
+            last = f;
+        }
+    }
+    return true;
+}
+
 // A part of a mesh with numbers of its own. Nodes that cells outside have too stay.
 struct Part {
     std::vector<std::int32_t> cells, nodes, local;
     std::vector<CadEntity> on;
 };
 
-// Cells within a number of layers of the bad ones; the worst neighbourhoods first, up to a number
-// of cells.
+// Cells within a number of layers of the bad ones, of the worst where they are many. Whole layers,
+// or the bad cells' own nodes would be held by cells left out.
 Part part_round(const std::vector<double> &quality, double bad, std::span<const std::int32_t> cells,
                 std::size_t per, std::span<const CadEntity> on) {
     constexpr int layers = 3;
-    constexpr std::size_t most_cells = 8000;
-    constexpr std::size_t most_seeds = 2000;
+    constexpr std::size_t most_cells = 12000;
+    constexpr std::size_t most_seeds = 300;
     std::vector<std::int32_t> seeds;
     for (std::size_t c = 0; c < quality.size(); ++c) {
         if (quality[c] < bad) {
@@ -147,7 +168,7 @@ Part part_round(const std::vector<double> &quality, double bad, std::span<const 
     }
     for (int layer = 0; layer < layers && part.cells.size() < most_cells; ++layer) {
         const std::vector<char> front = known;
-        for (std::size_t c = 0; c < quality.size() && part.cells.size() < most_cells; ++c) {
+        for (std::size_t c = 0; c < quality.size(); ++c) {
             bool touches = false;
             for (std::size_t k = 0; k < per && taken[c] == 0; ++k) {
                 touches = touches || front[static_cast<std::size_t>(cells[c * per + k])] != 0;
@@ -206,66 +227,11 @@ std::vector<double> qualities(std::span<const Vec3> points, std::span<const std:
     return result;
 }
 
-} // namespace
-
-double worst_scaled_jacobian(const CadShape &shape, const Layout &layout, std::size_t first) {
-    Cells cells = cells_of(layout, first);
-    std::vector<Vec3> points = layout.points;
-    CadSlides slides(shape, layout.on, cells.face_of);
-    UntangleOptions none;
-    none.good = -2; // measures and moves nothing
-    return untangle(points, cells.hexahedra, cells.quads, slides, none).after;
-}
-
-double improve(const CadShape &shape, Layout &layout, const UntangleOptions &options,
-               const Progress &progress) {
-    const Cells cells = cells_of(layout, 0);
-    const std::vector<Vec3> before = layout.points;
-    CadSlides slides(shape, layout.on, cells.face_of);
-    const double worst =
-        untangle(layout.points, cells.hexahedra, cells.quads, slides, options, progress).after;
-    for (auto &[ends, middle] : layout.middles) {
-        const auto a = static_cast<std::size_t>(ends[0]);
-        const auto b = static_cast<std::size_t>(ends[1]);
-        middle += 0.5 * (layout.points[a] - before[a] + layout.points[b] - before[b]);
-    }
-    // A middle on a face keeps to it.
-    BorrowedGeometry geometry(shape);
-    for (const auto &quad : layout.quads) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            const std::int32_t a = quad.points[i];
-            const std::int32_t b = quad.points[(i + 1) % 4];
-            const auto found = layout.middles.find({std::min(a, b), std::max(a, b)});
-            if (found != layout.middles.end() && (!(layout.points[static_cast<std::size_t>(a)] ==
-                                                    before[static_cast<std::size_t>(a)]) ||
-                                                  !(layout.points[static_cast<std::size_t>(b)] ==
-                                                    before[static_cast<std::size_t>(b)]))) {
-                FaceProjection &face = geometry->face(quad.face);
-                face.start(layout.points[static_cast<std::size_t>(a)]);
-                found->second = face.nearest(found->second);
-            }
-        }
-    }
-    return worst;
-}
-
-bool has_bad_cells(std::span<const Vec3> points, std::span<const std::int32_t> hexahedra,
-                   std::span<const std::int32_t> quads, std::span<const std::int32_t> face_of,
-                   double bad) {
-    const std::size_t per = hexahedra.empty() ? 4 : 8;
-    const auto all = qualities(points, hexahedra.empty() ? quads : hexahedra, per, face_of);
-    return std::any_of(all.begin(), all.end(), [&](double q) { return q < bad; });
-}
-
-std::vector<std::int32_t> improve_mesh(const CadShape &shape, std::span<Vec3> points,
-                                       std::span<const CadEntity> on,
-                                       std::span<const std::int32_t> hexahedra,
-                                       std::span<const std::int32_t> quads,
-                                       std::span<const std::int32_t> face_of, double bad,
-                                       const UntangleOptions &options, const Progress &progress) {
-    const std::size_t per = hexahedra.empty() ? 4 : 8;
-    const auto cells = hexahedra.empty() ? quads : hexahedra;
-    const Part part = part_round(qualities(points, cells, per, face_of), bad, cells, per, on);
+void improve_part(const CadShape &shape, std::span<Vec3> points,
+                  std::span<const std::int32_t> cells, std::size_t per,
+                  std::span<const std::int32_t> face_of, const Part &part,
+                  const UntangleOptions &options, const Progress &progress,
+                  std::vector<char> &moved) {
     std::vector<Vec3> places;
     for (const std::int32_t n : part.nodes) {
         places.push_back(points[static_cast<std::size_t>(n)]);
@@ -289,14 +255,11 @@ std::vector<std::int32_t> improve_mesh(const CadShape &shape, std::span<Vec3> po
             local.face_of.push_back(face_of[static_cast<std::size_t>(c)]);
         }
     }
-    std::vector<std::int32_t> moved;
-    if (part.cells.empty()) {
-        return moved;
-    }
     CadSlides slides(shape, part.on, local.face_of);
     // So many visits of a node take a second or so.
     constexpr std::size_t most_visits = 100'000;
     UntangleOptions bounded = options;
+    bounded.raises = 5000;
     bounded.sweeps =
         std::min(options.sweeps, std::max(6, static_cast<int>(most_visits / (places.size() + 1))));
     untangle(places, local.hexahedra, local.quads, slides, bounded, progress);
@@ -304,10 +267,100 @@ std::vector<std::int32_t> improve_mesh(const CadShape &shape, std::span<Vec3> po
         Vec3 &p = points[static_cast<std::size_t>(part.nodes[n])];
         if (!(p == places[n])) {
             p = places[n];
-            moved.push_back(part.nodes[n]);
+            moved[static_cast<std::size_t>(part.nodes[n])] = 1;
         }
     }
-    return moved;
+}
+
+} // namespace
+
+double worst_scaled_jacobian(const CadShape &shape, const Layout &layout, std::size_t first) {
+    Cells cells = cells_of(layout, first);
+    std::vector<Vec3> points = layout.points;
+    CadSlides slides(shape, layout.on, cells.face_of);
+    UntangleOptions none;
+    none.good = -2; // measures and moves nothing
+    return untangle(points, cells.hexahedra, cells.quads, slides, none).after;
+}
+
+double improve(const CadShape &shape, Layout &layout, const UntangleOptions &options,
+               const Progress &progress) {
+    const Cells cells = cells_of(layout, 0);
+    const std::vector<Vec3> before = layout.points;
+    CadSlides slides(shape, layout.on, cells.face_of);
+    UntangleOptions bounded = options;
+    constexpr std::size_t most_visits = 300'000;
+    bounded.sweeps =
+        std::min(options.sweeps, std::max(8, static_cast<int>(most_visits / (before.size() + 1))));
+    const UntangleResult result =
+        untangle(layout.points, cells.hexahedra, cells.quads, slides, bounded, progress);
+    if (!in_order(shape, layout)) {
+        layout.points = before;
+        return result.before;
+    }
+    for (auto &[ends, middle] : layout.middles) {
+        const auto a = static_cast<std::size_t>(ends[0]);
+        const auto b = static_cast<std::size_t>(ends[1]);
+        middle += 0.5 * (layout.points[a] - before[a] + layout.points[b] - before[b]);
+    }
+    // A middle on a face keeps to it.
+    BorrowedGeometry geometry(shape);
+    for (const auto &quad : layout.quads) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::int32_t a = quad.points[i];
+            const std::int32_t b = quad.points[(i + 1) % 4];
+            const auto found = layout.middles.find({std::min(a, b), std::max(a, b)});
+            if (found != layout.middles.end() && (!(layout.points[static_cast<std::size_t>(a)] ==
+                                                    before[static_cast<std::size_t>(a)]) ||
+                                                  !(layout.points[static_cast<std::size_t>(b)] ==
+                                                    before[static_cast<std::size_t>(b)]))) {
+                FaceProjection &face = geometry->face(quad.face);
+                face.start(layout.points[static_cast<std::size_t>(a)]);
+                found->second = face.nearest(found->second);
+            }
+        }
+    }
+    return result.after;
+}
+
+bool has_bad_cells(std::span<const Vec3> points, std::span<const std::int32_t> hexahedra,
+                   std::span<const std::int32_t> quads, std::span<const std::int32_t> face_of,
+                   double bad) {
+    const std::size_t per = hexahedra.empty() ? 4 : 8;
+    const auto all = qualities(points, hexahedra.empty() ? quads : hexahedra, per, face_of);
+    return std::any_of(all.begin(), all.end(), [&](double q) { return q < bad; });
+}
+
+std::vector<std::int32_t> improve_mesh(const CadShape &shape, std::span<Vec3> points,
+                                       std::span<const CadEntity> on,
+                                       std::span<const std::int32_t> hexahedra,
+                                       std::span<const std::int32_t> quads,
+                                       std::span<const std::int32_t> face_of, double bad,
+                                       const UntangleOptions &options, const Progress &progress) {
+    const std::size_t per = hexahedra.empty() ? 4 : 8;
+    const auto cells = hexahedra.empty() ? quads : hexahedra;
+    std::vector<char> moved(points.size(), 0);
+    double last = -2;
+    // One neighbourhood of the worst after the other.
+    constexpr int rounds = 6;
+    for (int round = 0; round < rounds; ++round) {
+        const auto quality = qualities(points, cells, per, face_of);
+        const Part part = part_round(quality, bad, cells, per, on);
+        const double worst =
+            quality.empty() ? 1 : *std::min_element(quality.begin(), quality.end());
+        if (part.cells.empty() || worst <= last + options.gain) {
+            break;
+        }
+        last = worst;
+        improve_part(shape, points, cells, per, face_of, part, options, progress, moved);
+    }
+    std::vector<std::int32_t> result;
+    for (std::size_t n = 0; n < moved.size(); ++n) {
+        if (moved[n] != 0) {
+            result.push_back(static_cast<std::int32_t>(n));
+        }
+    }
+    return result;
 }
 
 } // namespace nmgs::cad

@@ -159,9 +159,15 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     Needs needs = needs_of(model, chains, options);
     const auto most = static_cast<double>(
         std::max<std::int64_t>(options.most_cells, static_cast<std::int64_t>(model.size())));
+    // Blocks by the thousand are small already. They come from no structured strategy, and a chain
+    // goes through most of them: finer elements would be no better and far too many.
+    const bool unstructured = model.size() >= options.many_blocks;
+    if (unstructured) {
+        std::fill(needs.length.begin(), needs.length.end(), 0.0);
+    }
     const auto within = [&] {
         double length = size;
-        double coarser = 1;
+        double coarser = unstructured ? options.many_blocks_factor : 1;
         Divisions result = divide(model, chains, needs, length, coarser);
         // Longer elements first; these alone cannot help where the curvature asks for more.
         for (int step = 0; cells(result, model.dimension) > most && step < 200; ++step) {

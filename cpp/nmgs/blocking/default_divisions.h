@@ -17,6 +17,9 @@ struct DefaultDivisions {
     double both_angle = 7.2 * std::numbers::pi / 180;
     double volume_error = 0.006; // of linear blocks against quadratic ones, by all the volume
     std::int64_t most_cells = 200'000;
+    // From so many blocks on the size does not count, and the angles are so many times larger.
+    std::size_t many_blocks = 1500;
+    double many_blocks_factor = 4;
 };
 
 // Divisions of all blocks that agree along chains (see divisions.h): no element longer than size,

@@ -13,6 +13,7 @@ namespace nmgs {
 struct GenerateOptions {
     double tolerance = -1; // for common nodes; negative: default_tolerance()
     bool force = false;    // mesh blocks with problems (see block_check.h) as they are
+    bool improve = true;   // on CAD: better places for the nodes of bad cells
 };
 
 // Quads of patches, hexahedra of blocks; cells block by block, xi fastest, each in VTK's order.

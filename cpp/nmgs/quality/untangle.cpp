@@ -42,6 +42,7 @@ struct Untangler {
     [[nodiscard]] double scaled_jacobian(const Corner &c) const;
     [[nodiscard]] double determinant_of(const Corner &c) const;
     [[nodiscard]] double worst() const;
+    [[nodiscard]] double lack(double enough) const; // sum of what corners are below it
     double energy(std::int32_t node, Vec3 at, Vec3 *gradient);
     [[nodiscard]] double least_round(std::int32_t node) const;
     void relax(std::int32_t node);
@@ -170,6 +171,14 @@ double Untangler::worst() const {
         least = std::min(least, scaled_jacobian(c));
     }
     return least;
+}
+
+double Untangler::lack(double enough) const {
+    double sum = 0;
+    for (const Corner &c : corners) {
+        sum += std::max(0.0, enough - scaled_jacobian(c));
+    }
+    return sum;
 }
 
 double Untangler::least_round(std::int32_t node) const {
@@ -341,7 +350,8 @@ bool Untangler::raise(std::int32_t node) {
     const double start = least_round(node);
     double least = start;
     double step = 0.2 * size;
-    for (int round = 0; round < 8; ++round) {
+    int failures = 0;
+    for (int round = 0; round < 6 && failures < 3; ++round) {
         std::array<Vec3, 3> axis{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
         if (freedom < 3) {
             const auto t = slides.tangents(node, p);
@@ -394,7 +404,8 @@ bool Untangler::raise(std::int32_t node) {
             p = from;
         }
         if (best == from) {
-            step *= 0.4;
+            step *= 0.3;
+            ++failures;
         }
         p = best;
     }
@@ -430,7 +441,11 @@ UntangleResult untangle(std::span<Vec3> points,
             poll(progress, fraction);
         }
     };
+    // Cells that are good already make room, but need no visit of their own.
+    constexpr double room = 0.7;
+    const double enough = std::min(options.good, room);
     double mark = result.after;
+    double lack = u.lack(enough);
     for (int sweep = 0; sweep < options.sweeps && result.after < options.good; ++sweep) {
         if (sweep % 4 == 0) {
             u.set_targets();
@@ -445,20 +460,25 @@ UntangleResult untangle(std::span<Vec3> points,
         u.delta = least > positive ? 0 : std::max(0.02, 0.3 * std::sqrt(-std::min(0.0, least)));
         u.power = least <= positive ? 1 : sweep < options.sweeps / 3 ? 2 : 4;
         for (std::size_t n = 0; n < u.movable.size(); ++n) {
-            u.relax(u.movable[n]);
+            if (u.least_round(u.movable[n]) < enough) {
+                u.relax(u.movable[n]);
+            }
             poll_often(n, 0.5 * sweep / options.sweeps);
         }
         keep_best();
         if (sweep % 6 == 5) {
-            // Untangling may take long before the worst shows it.
-            if (result.after < mark + options.gain && (sweep > 20 || result.after > 0)) {
+            // The worst may come last: as long as the others gain, it goes on.
+            const double now = u.lack(enough);
+            if (result.after < mark + options.gain && now > 0.97 * lack) {
                 break;
             }
             mark = result.after;
+            lack = now;
         }
     }
     std::copy(best.begin(), best.end(), points.begin());
     mark = result.after;
+    int raised = 0;
     for (int sweep = 0; sweep < options.sweeps && result.after < options.good; ++sweep) {
         if (sweep % 4 == 0) {
             u.set_targets();
@@ -467,13 +487,14 @@ UntangleResult untangle(std::span<Vec3> points,
         const double limit = std::min(result.after + 0.1, options.good);
         bool moved = false;
         for (std::size_t n = 0; n < u.movable.size(); ++n) {
-            if (u.least_round(u.movable[n]) < limit) {
+            if (raised < options.raises && u.least_round(u.movable[n]) < limit) {
+                ++raised;
                 moved = u.raise(u.movable[n]) || moved;
             }
             poll_often(n, 0.5 + 0.5 * sweep / options.sweeps);
         }
         keep_best();
-        if (!moved) {
+        if (!moved || raised >= options.raises) {
             break;
         }
         if (sweep % 3 == 2) {

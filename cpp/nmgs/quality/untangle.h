@@ -35,9 +35,10 @@ public:
 };
 
 struct UntangleOptions {
-    double good = 2;    // stops once the worst scaled Jacobian is this
-    int sweeps = 60;    // over the nodes, at most, of each of the two parts
-    double gain = 1e-3; // the least rise of the worst in three sweeps that calls for another
+    double good = 2;     // stops once the worst scaled Jacobian is this
+    int sweeps = 60;     // over the nodes, at most, of each of the two parts
+    int raises = 30'000; // nodes that the second part may visit in all
+    double gain = 1e-3;  // the least rise of the worst in a few sweeps that calls for more
 };
 struct UntangleResult {
     double before = 1, after = 1; // worst scaled Jacobian, over the corners
