@@ -22,6 +22,9 @@ SWITCHES = ("pYAq1.6/8", "pYA")
 MOST = 12
 #: How often the skin is made finer where hexahedra fold or TetGen cannot keep it.
 ROUNDS = 5
+#: Largest turn of the surface along an edge of the skin, in radians: each is halved, and a cylinder
+#: then loses 0.8 % of its volume.
+ANGLE = 0.45
 #: Seconds after which no further round begins.
 PATIENCE = 40.0
 #: Seconds for one run of TetGen.
@@ -49,7 +52,9 @@ def fill(
     for round_ in range(ROUNDS):
         if vain > 1 or (best[1] is not None and time.monotonic() - start > PATIENCE):
             break
-        skin = kernel.make_skin(shape, wanted, limits=limits, progress=_share(progress, round_, 0))
+        skin = kernel.make_skin(
+            shape, wanted, angle=ANGLE, limits=limits, progress=_share(progress, round_, 0)
+        )
         tets: List[Tuple[int, np.ndarray, np.ndarray]] = []
         finer: List[np.ndarray] = []
         for n in solids:
