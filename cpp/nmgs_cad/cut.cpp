@@ -2,7 +2,9 @@
 #include "nmgs_cad/cut.h"
 
 #include "nmgs_cad/edge_curve.h"
+#include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/midpoint.h"
+#include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/split.h"
 
 #include <BRep_Tool.hxx>
@@ -10,7 +12,7 @@
 #include <TopExp_Explorer.hxx>
 
 #include <algorithm>
-#include <chrono>
+#include <numeric>
 #include <optional>
 
 namespace nmgs::cad {
@@ -79,6 +81,25 @@ std::vector<int> obstacles(const CadShape &shape, int solid) {
     return {found.edges.begin(), found.edges.end()};
 }
 
+namespace {
+
+// Fills the pieces by whatever strategy does each, if all can be filled and well.
+bool fill_by_strategies(const Pieces &pieces, Layout &of_pieces, const LayoutOptions &options,
+                        const Progress &progress) {
+    std::vector<int> all(static_cast<std::size_t>(pieces.cad.solids.Extent()));
+    std::iota(all.begin(), all.end(), 1);
+    SolidLayoutOptions without_cuts;
+    without_cuts.layout = options;
+    without_cuts.cuts = false;
+    const auto report = layout_solids(pieces.cad, all, of_pieces, without_cuts, progress);
+    constexpr double good = 0.2;
+    return std::none_of(report.begin(), report.end(),
+                        [](const FitEntry &entry) { return entry.method.empty(); }) &&
+           layout_quality(pieces.cad, of_pieces).worst > good;
+}
+
+} // namespace
+
 bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
               Refusal &refusal, const Progress &progress) {
     const std::vector<int> solids{solid};
@@ -86,8 +107,13 @@ bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOpti
     constexpr int most_pieces = 400;
     constexpr int patient = 3;
     constexpr std::size_t tries = 10; // of the most promising cuts
-    constexpr auto patience = std::chrono::seconds(20);
-    const auto start = std::chrono::steady_clock::now();
+    // Faces of all the pieces that are looked at: the work, whatever the machine's speed.
+    constexpr int most_work = 15000;
+    int work = 0;
+    // The pieces after a few cuts may do for other strategies as they are.
+    constexpr std::size_t first_cuts = 3;
+    constexpr std::size_t most_promising = 4;
+    constexpr int few_pieces = 12;
     for (TopExp_Explorer it(shape.solid(solid), TopAbs_EDGE); it.More(); it.Next()) {
         const int edge = shape.edges.FindIndex(it.Current());
         if (!layout.edges[static_cast<std::size_t>(edge)].empty()) {
@@ -112,7 +138,7 @@ bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOpti
     double lowest = state->weight;
     int idle = 0; // cuts since the last that left less than any before
     while (!state->bad.empty() && static_cast<int>(state->cuts.size()) < most_cuts) {
-        std::optional<State> best;
+        std::vector<State> found;
         std::size_t tried = 0;
         for (const Cut &cut : state->proposals.cuts) {
             poll(progress, static_cast<double>(state->cuts.size()) / most_cuts);
@@ -123,18 +149,37 @@ bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOpti
             if (used) {
                 continue;
             }
-            if (tried++ == tries || std::chrono::steady_clock::now() - start > patience) {
+            if (tried++ == tries || work > most_work) {
                 break;
             }
             auto cuts = state->cuts;
             cuts.push_back(cut);
             Refusal ignored;
             auto next = make_state(shape, solids, std::move(cuts), ignored);
+            work += (next ? next->pieces.cad : state->pieces.cad).faces.Extent();
             if (next && next->pieces.cad.solids.Extent() > state->pieces.cad.solids.Extent() &&
-                next->pieces.cad.solids.Extent() <= most_pieces &&
-                (!best || next->weight < best->weight)) {
-                best = std::move(next);
+                next->pieces.cad.solids.Extent() <= most_pieces) {
+                found.push_back(std::move(*next));
             }
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const State &a, const State &b) { return a.weight < b.weight; });
+        for (std::size_t n = 0; n < std::min(found.size(), most_promising); ++n) {
+            if (state->cuts.size() >= first_cuts ||
+                found[n].pieces.cad.solids.Extent() > few_pieces) {
+                continue;
+            }
+            Layout of_pieces(found[n].pieces.cad);
+            Layout result = layout;
+            if (fill_by_strategies(found[n].pieces, of_pieces, options, progress) &&
+                join(shape, found[n].pieces, of_pieces, result, refusal)) {
+                layout = std::move(result);
+                return true;
+            }
+        }
+        std::optional<State> best;
+        if (!found.empty()) {
+            best = std::move(found.front());
         }
         idle = best && best->weight < lowest ? 0 : idle + 1;
         if (!best || idle > patient) {

@@ -105,7 +105,8 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         }
         poll(progress, 0.0);
-        if (strategy == &fill_cut && best && best->quality.worst >= options.good) {
+        if (strategy == &fill_cut &&
+            (!options.cuts || (best && best->quality.worst >= options.good))) {
             break; // the search for cuts is dear
         }
         const auto refuse = [&](const Refusal &refusal) {

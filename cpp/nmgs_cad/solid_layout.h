@@ -22,6 +22,7 @@ struct SolidLayoutOptions {
     LayoutOptions layout;
     std::string method = "auto"; // or the name of a strategy
     double good = 0.3;           // a worst scaled Jacobian that calls for no dearer strategy
+    bool cuts = true;            // whether solids may be cut
 };
 
 // Solids that share faces get hexahedra that share nodes: such a group is filled as a whole or not
