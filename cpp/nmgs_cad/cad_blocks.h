@@ -43,7 +43,9 @@ struct FitEntry {
     std::int32_t first_block = 0, blocks = 0;
     double error = 0; // largest distance found between the blocks' faces and the CAD's
     std::array<double, 3> place{0, 0, 0}; // where
-    double quality = 0; // least sine of an angle of the layout: what scaled Jacobians tend to
+    // Of a face: least sine of an angle of the layout, what scaled Jacobians tend to. Of a solid: the
+    // worst scaled Jacobian of a mesh made from the layout; 0 where that was not measured.
+    double quality = 0;
 };
 
 struct CadBlocks {

@@ -144,6 +144,7 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         }
         filling.entry.method = name;
+        filling.entry.quality = filling.quality.worst;
         filling.entry.blocks =
             static_cast<std::int32_t>(filling.layout.hexas.size() - layout.hexas.size());
         if (!best || better(filling, *best, options.good)) {
