@@ -7,14 +7,13 @@
 #include "nmgs_cad/layout.h"
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/skin.h"
+#include "nmgs_cad/solid_boundary.h"
 #include "nmgs_cad/tets_to_hexas.h"
 #include "nmgs_cad/untangle.h"
 
-#include <TopExp_Explorer.hxx>
 #include <pybind11/stl.h>
 
 #include <cstring>
-#include <map>
 #include <memory>
 
 namespace nmgs::bindings {
@@ -141,20 +140,6 @@ py::dict tet_blocks(const cad::CadShape &shape, const cad::Layout &layout,
     return fit_dict(std::move(blocks));
 }
 
-// (n of FaceN, whether it bounds the solid) of each face; an inner face does not.
-std::vector<std::pair<int, bool>> solid_faces(const cad::CadShape &shape, int solid) {
-    std::map<int, bool> faces;
-    for (TopExp_Explorer f(shape.solid(solid), TopAbs_FACE); f.More(); f.Next()) {
-        const auto orientation = f.Current().Orientation();
-        const bool bounds = orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED;
-        const auto [known, fresh] = faces.try_emplace(shape.faces.FindIndex(f.Current()), bounds);
-        if (!fresh) {
-            known->second = false;
-        }
-    }
-    return {faces.begin(), faces.end()};
-}
-
 } // namespace
 
 void bind_tets(py::module_ &module) {
@@ -173,7 +158,7 @@ void bind_tets(py::module_ &module) {
     py::class_<cad::Layout, std::shared_ptr<cad::Layout>>(
         module, "Layout", "A coarse conforming mesh over CAD that strategies write into.")
         .def(py::init<const cad::CadShape &>(), py::arg("shape"));
-    module.def("solid_faces", &solid_faces, py::arg("shape"), py::arg("solid"),
+    module.def("solid_faces", &cad::solid_faces, py::arg("shape"), py::arg("solid"),
                "(n of FaceN, whether it bounds the solid) of each face of a solid.");
     module.def("tet_blocks", &tet_blocks, py::arg("shape"), py::arg("layout"), py::arg("solids"),
                py::arg("tolerance"), py::arg("progress") = py::none(),

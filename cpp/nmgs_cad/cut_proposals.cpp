@@ -126,10 +126,11 @@ void Proposer::of_edge(int edge, bool flat, const std::vector<int> &faces) {
             const gp_Vec n = du.Crossed(dv);
             if (n.Magnitude() > 0 && n.Crossed(t).Magnitude() > 1e-9 * n.Magnitude()) {
                 // Across the face, and along its tangent.
-                plane(p, gp_Dir(n.Crossed(t)), "plane across " + face + " at " + name,
-                      {face, name});
+                std::string where = face; // face and edge
+                where.append(" at ").append(name);
+                plane(p, gp_Dir(n.Crossed(t)), "plane across " + where, {face, name});
                 if (!flat) {
-                    plane(p, gp_Dir(n), "tangent plane of " + face + " at " + name, {face, name});
+                    plane(p, gp_Dir(n), "tangent plane of " + where, {face, name});
                 }
             }
         }

@@ -185,6 +185,7 @@ void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
     }
     constexpr double growth = 0.6;
     std::vector<double> sizes_before;
+    sizes_before.reserve(samples.size());
     for (const Sample &s : samples) {
         sizes_before.push_back(s.size);
     }

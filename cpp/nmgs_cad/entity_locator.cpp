@@ -73,7 +73,7 @@ struct EntityLocator::Surfaces {
 };
 
 EntityLocator::EntityLocator(const CadShape &shape, int solid, double tolerance)
-    : tolerance_(tolerance), solid_(solid), curves_(new Curves), surfaces_(new Surfaces) {
+    : solid_(solid), curves_(new Curves), surfaces_(new Surfaces) {
     const TopoDS_Solid in = shape.solid(solid);
     vertices_ = numbers(shape.vertices, in, TopAbs_VERTEX);
     for (const int n : vertices_) {

@@ -40,7 +40,6 @@ private:
     double distance_to_edge(std::size_t at, Vec3 p) const;
     double distance_to_face(std::size_t at, Vec3 p) const;
 
-    double tolerance_;
     int solid_;
     std::vector<int> vertices_, edges_, faces_;
     std::vector<Vec3> places_;

@@ -165,6 +165,7 @@ std::optional<FaceMesh> midpoint_quads(const FaceSurface &surface,
         return two_rows(surface, std::move(mesh), side[0], side[1], refusal);
     }
     std::vector<int> n;
+    n.reserve(side.size());
     for (const Numbers &s : side) {
         n.push_back(static_cast<int>(s.size()) - 1);
     }

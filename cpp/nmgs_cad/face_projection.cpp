@@ -303,16 +303,18 @@ FaceProjection::Result FaceProjection::locate(Vec3 p) {
     std::vector<Start> starts;
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
-            const double mine = d2[static_cast<std::size_t>(j * columns + i)];
+            const int at = j * columns + i;
+            const double mine = d2[static_cast<std::size_t>(at)];
             bool least = true;
             for (int n = 0; n < 9 && least; ++n) {
                 const int x = i + n % 3 - 1;
                 const int y = j + n / 3 - 1;
+                const int beside = y * columns + x;
                 least = x < 0 || y < 0 || x >= columns || y >= rows ||
-                        mine <= d2[static_cast<std::size_t>(y * columns + x)];
+                        mine <= d2[static_cast<std::size_t>(beside)];
             }
             if (least) {
-                starts.push_back({mine, j * columns + i});
+                starts.push_back({mine, at});
             }
         }
     }

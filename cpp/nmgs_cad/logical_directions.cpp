@@ -335,7 +335,8 @@ std::vector<LogicalDirections> logical_directions(const CadShape &shape,
             return {};
         }
         if (boundary.seam(static_cast<int>(i))) {
-            refusal = {"a face of " + name + " meets itself along the seam " + edge, {edge}};
+            refusal = {"a face of " + name + " meets itself along the seam ", {edge}};
+            refusal.reason += edge;
             return {};
         }
         if (c.next == static_cast<int>(i)) {

@@ -171,7 +171,7 @@ void Builder::relate_loops() {
                 loops.back().push_back(boundary.coedges[c].vertex);
                 const Vec3 chord =
                     vertex_point(shape, end_of(c)) - vertex_point(shape, loops.back().back());
-                const int d = directions.coedge[c];
+                const auto d = directions.coedge[c];
                 along[static_cast<std::size_t>(axis_of(d))] +=
                     static_cast<double>(sign_of(d)) * chord;
                 at = boundary.coedges[c].next;
@@ -267,7 +267,7 @@ bool Builder::walls() {
         lattice.face[a].assign(size, -1);
     }
     for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
-        const int direction = directions.face[f];
+        const auto direction = directions.face[f];
         const auto a = static_cast<std::size_t>(axis_of(direction));
         const std::size_t u = (a + 1) % 3;
         const std::size_t v = (a + 2) % 3;

@@ -27,7 +27,8 @@ struct LogicalLattice {
         return static_cast<int>(planes[axis].size()) - 1;
     }
     [[nodiscard]] std::size_t cell(std::array<int, 3> at) const {
-        return static_cast<std::size_t>(at[0] + cells(0) * (at[1] + cells(1) * at[2]));
+        const int n = at[0] + cells(0) * (at[1] + cells(1) * at[2]);
+        return static_cast<std::size_t>(n);
     }
     [[nodiscard]] bool inside(std::array<int, 3> at) const {
         for (std::size_t d = 0; d < 3; ++d) {
@@ -41,7 +42,8 @@ struct LogicalLattice {
     [[nodiscard]] std::size_t wall(std::size_t axis, std::array<int, 3> at) const {
         const int nx = cells(0) + (axis == 0 ? 1 : 0);
         const int ny = cells(1) + (axis == 1 ? 1 : 0);
-        return static_cast<std::size_t>(at[0] + nx * (at[1] + ny * at[2]));
+        const int n = at[0] + nx * (at[1] + ny * at[2]);
+        return static_cast<std::size_t>(n);
     }
 };
 

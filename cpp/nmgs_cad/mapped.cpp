@@ -2,7 +2,6 @@
 #include "nmgs_cad/mapped.h"
 
 #include "nmgs/element/hexa20.h"
-#include "nmgs/element/quad8.h"
 #include "nmgs_cad/edge_curve.h"
 #include "nmgs_cad/four_sides.h"
 
@@ -22,57 +21,6 @@ Vec3 vertex_point(const CadShape &shape, int n) {
     const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(n));
     return {p.X(), p.Y(), p.Z()};
 }
-
-// Puts a block's nodes and binding behind those that are there. on[p] are the entities of part p.
-void append(CadBlocks &blocks, std::span<const Vec3> nodes,
-            const std::array<std::vector<CadEntity>, part::count> &on) {
-    blocks.model.nodes.insert(blocks.model.nodes.end(), nodes.begin(), nodes.end());
-    blocks.model.divisions.push_back({1, 1, blocks.model.dimension == 3 ? 1 : 0});
-    for (const auto &entities : on) {
-        blocks.binding.entities.insert(blocks.binding.entities.end(), entities.begin(),
-                                       entities.end());
-        blocks.binding.offsets.push_back(static_cast<std::int32_t>(blocks.binding.entities.size()));
-    }
-}
-
-void refuse(CadBlocks &blocks, CadEntity entity, std::string reason,
-            std::vector<std::string> blockers) {
-    FitEntry entry;
-    entry.entity = entity;
-    entry.reason = std::move(reason);
-    entry.blockers = std::move(blockers);
-    blocks.report.push_back(std::move(entry));
-}
-
-} // namespace
-
-void fit_mapped_face(const CadShape &shape, int face, CadBlocks &blocks) {
-    Refusal refusal;
-    const auto sides = four_sides(shape, face, refusal);
-    if (!sides) {
-        refuse(blocks, {2, face}, refusal.reason, refusal.blockers);
-        return;
-    }
-    std::array<Vec3, 8> nodes{};
-    std::array<std::vector<CadEntity>, part::count> on;
-    for (std::size_t i = 0; i < 4; ++i) {
-        nodes[i] = vertex_point(shape, sides->corner[i]);
-        nodes[4 + i] = EdgeCurve(shape.edge(sides->edge[i])).at(0.5);
-        on[static_cast<std::size_t>(part::of_node(2, i))] = {{0, sides->corner[i]}};
-        on[static_cast<std::size_t>(part::of_node(2, 4 + i))] = {{1, sides->edge[i]}};
-    }
-    on[static_cast<std::size_t>(part::code(1, 1, 0))] = {{2, face}};
-
-    FitEntry entry;
-    entry.entity = {2, face};
-    entry.method = "mapped";
-    entry.first_block = static_cast<std::int32_t>(blocks.model.size());
-    entry.blocks = 1;
-    append(blocks, nodes, on);
-    blocks.report.push_back(entry);
-}
-
-namespace {
 
 // The corners, edges and faces of a block as numbers of the shape, by part code.
 using BlockParts = std::array<int, part::count>;

@@ -337,8 +337,9 @@ void start_skin(const CadShape &shape, std::span<const int> faces, const SkinOpt
         start.parameters.assign(at(shape.edges.Extent()) + 1, {});
         try {
             BRepTools::Clean(compound);
-            BRepMesh_IncrementalMesh(compound, 2e-3 * mesh.diagonal * fineness, Standard_False,
-                                     0.35 * std::sqrt(fineness), Standard_False);
+            const BRepMesh_IncrementalMesh mesher(compound, 2e-3 * mesh.diagonal * fineness,
+                                                  Standard_False, 0.35 * std::sqrt(fineness),
+                                                  Standard_False);
             poll(progress, 0.1);
             for (const int n : faces) {
                 start.read(n);

@@ -96,6 +96,19 @@ std::vector<TopoDS_Edge> ordered(const TopoDS_Wire &wire, const TopoDS_Face &fac
 
 } // namespace
 
+std::vector<std::pair<int, bool>> solid_faces(const CadShape &shape, int solid) {
+    std::map<int, bool> faces;
+    for (TopExp_Explorer f(shape.solid(solid), TopAbs_FACE); f.More(); f.Next()) {
+        const auto orientation = f.Current().Orientation();
+        const bool bounds = orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED;
+        const auto [known, fresh] = faces.try_emplace(shape.faces.FindIndex(f.Current()), bounds);
+        if (!fresh) {
+            known->second = false;
+        }
+    }
+    return {faces.begin(), faces.end()};
+}
+
 Vec3 tangent_at(const TopoDS_Edge &edge, double parameter) {
     const BRepAdaptor_Curve curve(edge);
     const double first = curve.FirstParameter();

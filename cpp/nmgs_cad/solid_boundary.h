@@ -7,6 +7,7 @@
 #include "nmgs_cad/refusal.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace nmgs::cad {
@@ -42,6 +43,10 @@ struct SolidBoundary {
 // Nothing and the refusal for a solid with a face inside it or with an edge where other than two
 // faces meet.
 std::optional<SolidBoundary> boundary_of(const CadShape &shape, int solid, Refusal &refusal);
+
+// (n of FaceN, whether it bounds the solid) of each face of a solid, ascending. A face inside the
+// solid, which has it on both sides, does not.
+std::vector<std::pair<int, bool>> solid_faces(const CadShape &shape, int solid);
 
 // Unit tangent of an edge's curve at a parameter, and its turning in radians along the whole edge.
 Vec3 tangent_at(const TopoDS_Edge &edge, double parameter);

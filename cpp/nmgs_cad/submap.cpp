@@ -44,7 +44,8 @@ struct Grid {
     std::vector<std::int32_t> face;  // place in the boundary, of nodes on faces
 
     [[nodiscard]] std::size_t at(Index i) const {
-        return static_cast<std::size_t>(i[0] + size[0] * (i[1] + size[1] * i[2]));
+        const int n = i[0] + size[0] * (i[1] + size[1] * i[2]);
+        return static_cast<std::size_t>(n);
     }
     [[nodiscard]] double extent() const;
     bool divide();

@@ -166,8 +166,9 @@ Part part_round(const std::vector<double> &quality, double bad, std::span<const 
     for (const std::int32_t c : seeds) {
         take(c);
     }
+    std::vector<char> front;
     for (int layer = 0; layer < layers && part.cells.size() < most_cells; ++layer) {
-        const std::vector<char> front = known;
+        front = known; // which take() changes
         for (std::size_t c = 0; c < quality.size(); ++c) {
             bool touches = false;
             for (std::size_t k = 0; k < per && taken[c] == 0; ++k) {

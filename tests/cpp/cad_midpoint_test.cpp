@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/midpoint.h"
 
+#include "cad_layout_checks.h"
+
 #include "nmgs_cad/layout_quality.h"
+#include "nmgs_cad/solid_boundary.h"
 #include "nmgs_cad/solid_layout.h"
 
 #include <BOPAlgo_Builder.hxx>
@@ -17,8 +20,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
 
 namespace {
 
@@ -118,9 +124,8 @@ TEST(MidPoint, RefusesASeam) {
     EXPECT_FALSE(refusal.blockers.empty());
 }
 
-// A cube and a prism on it: mapped alone would leave the cube whole, which the prism's face does
-// not allow.
-TEST(SolidLayout, SolidsThatShareAFaceShareItsPoints) {
+// A cube and a prism on it that share a square face.
+CadShape cube_and_prism() {
     const TopoDS_Shape cube = BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape();
     const TopoDS_Shape prism =
         BRepPrimAPI_MakePrism(polygon({{0, 0, 1}, {1, 0, 1}, {0.5, 0, 2}}), gp_Vec(0, 1, 0))
@@ -129,19 +134,68 @@ TEST(SolidLayout, SolidsThatShareAFaceShareItsPoints) {
     builder.AddArgument(cube);
     builder.AddArgument(prism);
     builder.Perform();
-    const CadShape shape = nmgs::cad::make_shape(builder.Shape());
-    ASSERT_EQ(shape.solids.Extent(), 2);
-    Layout layout(shape);
-    const std::vector<int> solids{1, 2};
-    const auto report = nmgs::cad::layout_solids(shape, solids, layout);
-    for (const auto &entry : report) {
-        EXPECT_FALSE(entry.method.empty()) << entry.reason;
+    return nmgs::cad::make_shape(builder.Shape());
+}
+
+// The one face that both solids have.
+int common_face(const CadShape &shape) {
+    int common = 0;
+    for (const auto &[face, bounds] : nmgs::cad::solid_faces(shape, 1)) {
+        for (const auto &[other, also] : nmgs::cad::solid_faces(shape, 2)) {
+            common = face == other ? face : common;
+        }
     }
-    EXPECT_EQ(layout.hexas.size(), 8U + 6U);
+    return common;
+}
+
+// Both solids are filled, every quad of the common face is a side of one hexahedron of each, and no
+// place has two points.
+void expect_joined(const CadShape &shape, const std::string &method, Layout &layout) {
+    ASSERT_EQ(shape.solids.Extent(), 2);
+    const std::vector<int> solids{1, 2};
+    nmgs::cad::SolidLayoutOptions options;
+    options.method = method;
+    for (const auto &entry : nmgs::cad::layout_solids(shape, solids, layout, options)) {
+        ASSERT_FALSE(entry.method.empty()) << entry.reason;
+    }
+    nmgs::cad::expect_sound(shape, layout, 1e-9);
     const auto quality = nmgs::cad::layout_quality(shape, layout, 0, 2);
     EXPECT_NEAR(quality.volume, 1.5, 1e-9);
     EXPECT_GT(quality.worst, 0.3);
-    // Eight and six hexahedra of 27 and 21 points, of which the nine on the common face are one.
+    for (std::size_t p = 0; p < layout.points.size(); ++p) {
+        for (std::size_t q = 0; q < p; ++q) {
+            EXPECT_GT(nmgs::distance(layout.points[p], layout.points[q]), 1e-3) << p << ' ' << q;
+        }
+    }
+    const auto quads = layout.quads_of(common_face(shape));
+    EXPECT_FALSE(quads.empty());
+    for (const auto q : quads) {
+        const auto &corners = layout.quads[static_cast<std::size_t>(q)].points;
+        std::multiset<int> users;
+        for (const auto &hexa : layout.hexas) {
+            const std::set<std::int32_t> of(hexa.points.begin(), hexa.points.end());
+            if (std::all_of(corners.begin(), corners.end(),
+                            [&](std::int32_t p) { return of.contains(p); })) {
+                users.insert(hexa.solid);
+            }
+        }
+        EXPECT_EQ(users, (std::multiset<int>{1, 2})) << "quad " << q;
+    }
+}
+
+TEST(SolidLayout, SolidsThatShareAFaceShareItsPoints) {
+    const CadShape shape = cube_and_prism();
+    Layout layout(shape);
+    expect_joined(shape, "auto", layout);
+}
+
+// The mid-points of a cube and of a prism are 8 and 6 hexahedra, one a vertex, of 27 and 21 points:
+// vertices, and a middle of each edge, each face and the solid. On the common face nine are one.
+TEST(SolidLayout, MidPointsOfTwoSolidsThatShareAFace) {
+    const CadShape shape = cube_and_prism();
+    Layout layout(shape);
+    expect_joined(shape, "mid-point", layout);
+    EXPECT_EQ(layout.hexas.size(), 8U + 6U);
     EXPECT_EQ(layout.points.size(), 27U + 21U - 9U);
 }
 

@@ -21,8 +21,8 @@ using nmgs::cad::fill_primitive;
 using nmgs::cad::make_shape;
 using std::numbers::pi;
 
-// Volume of the mesh against the closed form: 32 chords in place of a circle leave 0.64 % of it out,
-// and twice that of a torus.
+// Volume of the mesh against the closed form: 32 chords in place of a circle leave 0.64 % of it
+// out, and twice that of a torus.
 void expect_filled(const TopoDS_Shape &shape, double volume, double worst) {
     const auto result = fill_all(&fill_primitive, make_shape(shape));
     ASSERT_TRUE(result.filled) << result.refusal.reason;

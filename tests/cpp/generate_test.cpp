@@ -90,7 +90,7 @@ TEST(Generate, DisagreeingDivisionsNameBothBlocks) {
     } catch (const nmgs::BlockingError &e) {
         EXPECT_NE(std::string(e.what()).find("Block2"), std::string::npos) << e.what();
         EXPECT_NE(std::string(e.what()).find("Block1"), std::string::npos) << e.what();
-        EXPECT_NE(std::string(e.what()).find("5"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find('5'), std::string::npos) << e.what();
     }
 }
 

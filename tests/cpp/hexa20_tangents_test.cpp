@@ -79,9 +79,10 @@ TEST(Hexa20Tangents, BoundsHold) {
                 nmgs::curved::scaled_jacobian_bounds(nmgs::curved::hexa20_tangents(nodes.data()));
             double least = 1;
             for (int i = 0; i < 11 * 11 * 11; ++i) {
+                const int j = i / 11 % 11;
+                const int k = i / 121;
                 least = std::min(least, scaled_jacobian(tangents_at(nodes, 0.2 * (i % 11) - 1,
-                                                                    0.2 * (i / 11 % 11) - 1,
-                                                                    0.2 * (i / 121) - 1)));
+                                                                    0.2 * j - 1, 0.2 * k - 1)));
             }
             EXPECT_LE(lower, least + 1e-12);
             EXPECT_GE(upper, least - 1e-12);

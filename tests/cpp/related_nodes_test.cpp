@@ -82,8 +82,9 @@ TEST(RelatedNodes, SplitHexahedra) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> shift(-0.2, 0.2);
     for (std::int32_t i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
-        points.push_back({i % (n + 1) + shift(random), i / (n + 1) % (n + 1) + shift(random),
-                          i / (n + 1) / (n + 1) + shift(random)});
+        const std::int32_t j = i / (n + 1) % (n + 1);
+        const std::int32_t k = i / (n + 1) / (n + 1);
+        points.push_back({i % (n + 1) + shift(random), j + shift(random), k + shift(random)});
     }
     std::vector<std::int32_t> hexahedra;
     for (std::int32_t c = 0; c < n * n * n; ++c) {

@@ -10,9 +10,9 @@ namespace nmgs {
 namespace {
 
 // The corners' neighbours along xi, eta, zeta in right-handed order, and the directions' numbers.
-constexpr std::array<std::array<std::int8_t, 3>, 8> hexa_neighbours{
+constexpr std::array<std::array<std::uint8_t, 3>, 8> hexa_neighbours{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
-constexpr std::array<std::array<std::int8_t, 3>, 8> hexa_directions{
+constexpr std::array<std::array<std::uint8_t, 3>, 8> hexa_directions{
     {{0, 1, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {0, 1, 2}}};
 
 constexpr double least_ratio = 0.05; // of a cell's target lengths

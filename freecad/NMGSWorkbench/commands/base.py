@@ -10,7 +10,7 @@ import FreeCADGui
 
 from ..objects import stale
 from ..resources import icon
-from ..taskpanels import culprits, messages
+from ..taskpanels import messages
 
 
 class Command:
@@ -80,6 +80,8 @@ class Command:
             # Whatever went wrong, the document is as it was before and the user reads why.
             document.abortTransaction()
             messages.show_error(self.menu_text, error)
+            from ..taskpanels import culprits  # only here: it imports NumPy
+
             culprits.point_out(self.culprits, error)
         else:
             document.commitTransaction()
