@@ -43,10 +43,11 @@ def main():
                 name = str(path.relative_to(folder))
                 results[kind][name] = outcome
                 print(one_line(kind, name, outcome), flush=True)
+                if arguments.json:  # as it goes, so that a run that is stopped is not lost
+                    text = json.dumps(results, indent=1)
+                    pathlib.Path(arguments.json).write_text(text, encoding="utf-8")
     text = "\n".join(table(kind, results[kind]) for kind in kinds)
     print("\n" + text)
-    if arguments.json:
-        pathlib.Path(arguments.json).write_text(json.dumps(results, indent=1), encoding="utf-8")
     if arguments.write:
         pathlib.Path(arguments.write).write_text(HEADER + text, encoding="utf-8")
 
