@@ -4,12 +4,14 @@
 #include "arrays.h"
 #include "cad_fit.h"
 
+#include "nmgs_cad/cad_tets.h"
 #include "nmgs_cad/layout.h"
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/skin.h"
 #include "nmgs_cad/tets_to_hexas.h"
 #include "nmgs_cad/untangle.h"
 
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <pybind11/stl.h>
 
@@ -155,6 +157,16 @@ std::vector<std::pair<int, bool>> solid_faces(const cad::CadShape &shape, int so
     return {faces.begin(), faces.end()};
 }
 
+// (N, 3) places of the vertices inside a solid.
+py::array_t<double> inner_points(const cad::CadShape &shape, int solid) {
+    std::vector<Vec3> places;
+    for (const int v : cad::inner_vertices(shape, solid)) {
+        const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(v));
+        places.push_back({p.X(), p.Y(), p.Z()});
+    }
+    return table<double>(places);
+}
+
 } // namespace
 
 void bind_tets(py::module_ &module) {
@@ -175,6 +187,8 @@ void bind_tets(py::module_ &module) {
         .def(py::init<const cad::CadShape &>(), py::arg("shape"));
     module.def("solid_faces", &solid_faces, py::arg("shape"), py::arg("solid"),
                "(n of FaceN, whether it bounds the solid) of each face of a solid.");
+    module.def("inner_points", &inner_points, py::arg("shape"), py::arg("solid"),
+               "Places of the vertices inside a solid, on none of its faces.");
     module.def("tet_blocks", &tet_blocks, py::arg("shape"), py::arg("layout"), py::arg("solids"),
                py::arg("tolerance"), py::arg("progress") = py::none(),
                "Blocks of the hexahedra in a layout, as fit() gives them.");

@@ -13,6 +13,9 @@
 
 namespace nmgs::cad {
 
+// Vertices (1-based) inside a solid, on none of its faces, ascending.
+std::vector<int> inner_vertices(const CadShape &shape, int solid);
+
 // One mesh of all solids; the skin's points come first. Splitting an edge changes all tetrahedra,
 // triangles and segments at it.
 class CadTets {

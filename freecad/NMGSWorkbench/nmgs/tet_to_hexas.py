@@ -133,7 +133,8 @@ def _tetrahedra(
     triangles = skin.triangles[own]
     used, local = np.unique(triangles, return_inverse=True)
     local = local.reshape(-1, 3).astype(np.int32)
-    plc = PLC(skin.points[used], local, markers=skin.faces[own])
+    own_points = _kernel.cad().inner_points(shape, solid)
+    plc = PLC(np.concatenate([skin.points[used], own_points]), local, markers=skin.faces[own])
     last: Optional[TetGenError] = None
     nothing = np.empty((0, 3)), np.empty((0, 4), np.int32)
     chosen = None
