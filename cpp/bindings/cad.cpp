@@ -14,6 +14,8 @@
 #include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/version.h"
 
+#include <Standard_Failure.hxx>
+
 #include <memory>
 #include <numbers>
 
@@ -69,12 +71,35 @@ py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const In
         blocks.binding.entities.push_back({view(e, 0), view(e, 1)});
     }
     Mesh mesh;
+    std::vector<std::int32_t> off_cad;
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        mesh = cad::generate_on_cad(shape, blocks, order, {tolerance, force}, listener);
+        mesh = cad::generate_on_cad(shape, blocks, order, {tolerance, force}, listener, &off_cad);
     }
-    return give_mesh(std::move(mesh));
+    py::dict result = give_mesh(std::move(mesh));
+    const auto count = static_cast<py::ssize_t>(off_cad.size());
+    result["off_cad"] = give<std::int32_t>(std::move(off_cad), {count});
+    return result;
+}
+
+// What OpenCASCADE throws where nobody looked for it; its failures are no std::exception.
+void register_failures() {
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11's signature.
+    py::register_local_exception_translator([](std::exception_ptr pointer) {
+        try {
+            if (pointer) {
+                std::rethrow_exception(pointer);
+            }
+        } catch (const Standard_Failure &failure) {
+            const py::object error =
+                py::module_::import("freecad.NMGSWorkbench.nmgs.errors")
+                    .attr("GeometryError")(std::string("OpenCASCADE failed: ") +
+                                           failure.DynamicType()->Name() + " " +
+                                           failure.GetMessageString());
+            PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
+        }
+    });
 }
 
 } // namespace
@@ -84,6 +109,7 @@ PYBIND11_MODULE(cad, module) {
     using namespace nmgs::bindings;
     module.doc() = "Kernel of the NMGS Workbench with OpenCASCADE.";
     register_errors();
+    register_failures();
     module.attr("occt_version") = nmgs::cad::occt_version();
     py::class_<nmgs::cad::CadShape, std::shared_ptr<nmgs::cad::CadShape>>(
         module, "CadShape", "A shape whose FaceN, EdgeN, VertexN are FreeCAD's.")

@@ -4,6 +4,7 @@
 #include "arrays.h"
 #include "cad_fit.h"
 
+#include "nmgs_cad/cad_tets.h"
 #include "nmgs_cad/layout.h"
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/skin.h"
@@ -140,6 +141,11 @@ py::dict tet_blocks(const cad::CadShape &shape, const cad::Layout &layout,
     return fit_dict(std::move(blocks));
 }
 
+// (N, 3) places of the vertices inside a solid.
+py::array_t<double> inner_points(const cad::CadShape &shape, int solid) {
+    return table<double>(cad::inner_vertex_places(shape, solid));
+}
+
 } // namespace
 
 void bind_tets(py::module_ &module) {
@@ -160,6 +166,8 @@ void bind_tets(py::module_ &module) {
         .def(py::init<const cad::CadShape &>(), py::arg("shape"));
     module.def("solid_faces", &cad::solid_faces, py::arg("shape"), py::arg("solid"),
                "(n of FaceN, whether it bounds the solid) of each face of a solid.");
+    module.def("inner_points", &inner_points, py::arg("shape"), py::arg("solid"),
+               "Places of the vertices inside a solid, on none of its faces.");
     module.def("tet_blocks", &tet_blocks, py::arg("shape"), py::arg("layout"), py::arg("solids"),
                py::arg("tolerance"), py::arg("progress") = py::none(),
                "Blocks of the hexahedra in a layout, as fit() gives them.");

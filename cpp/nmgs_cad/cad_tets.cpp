@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cad_tets.h"
 
+#include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <TopExp_Explorer.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -39,15 +41,38 @@ constexpr double grazing_sine = 0.3;      // of the angle between an edge and th
 
 } // namespace
 
+std::vector<int> inner_vertices(const CadShape &shape, int solid) {
+    std::set<int> faces;
+    for (TopExp_Explorer f(shape.solid(solid), TopAbs_FACE); f.More(); f.Next()) {
+        for (TopExp_Explorer v(f.Current(), TopAbs_VERTEX); v.More(); v.Next()) {
+            faces.insert(shape.vertices.FindIndex(v.Current()));
+        }
+    }
+    std::set<int> result;
+    for (TopExp_Explorer v(shape.solid(solid), TopAbs_VERTEX, TopAbs_FACE); v.More(); v.Next()) {
+        const int n = shape.vertices.FindIndex(v.Current());
+        if (!faces.contains(n)) {
+            result.insert(n);
+        }
+    }
+    return {result.begin(), result.end()};
+}
+
 CadTets::CadTets(const CadShape &shape, const Skin &skin, std::span<const SolidTets> solids)
     : points(skin.points), on(skin.on), shape_(shape), faces_(at(shape.faces.Extent()) + 1),
       curves_(at(shape.edges.Extent()) + 1) {
     const auto shared = static_cast<std::int32_t>(skin.points.size());
     for (const SolidTets &solid : solids) {
         const auto shift = static_cast<std::int32_t>(points.size()) - shared;
+        const auto vertices = inner_vertices(shape, solid.solid);
         for (const Vec3 p : solid.inner) {
             points.push_back(p);
             on.push_back({3, solid.solid});
+            for (const int v : vertices) {
+                if (p == vec(BRep_Tool::Pnt(shape.vertex(v)).XYZ())) {
+                    on.back() = {0, v};
+                }
+            }
         }
         for (auto t : solid.tets) {
             for (std::int32_t &n : t) {
@@ -493,6 +518,15 @@ void CadTets::smooth(int sweeps) {
             break;
         }
     }
+}
+
+std::vector<Vec3> inner_vertex_places(const CadShape &shape, int solid) {
+    std::vector<Vec3> places;
+    for (const int v : inner_vertices(shape, solid)) {
+        const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(v));
+        places.push_back({p.X(), p.Y(), p.Z()});
+    }
+    return places;
 }
 
 } // namespace nmgs::cad

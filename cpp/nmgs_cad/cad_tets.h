@@ -13,6 +13,11 @@
 
 namespace nmgs::cad {
 
+// Vertices (1-based) inside a solid, on none of its faces, ascending.
+std::vector<int> inner_vertices(const CadShape &shape, int solid);
+// Their places, in the same order.
+std::vector<Vec3> inner_vertex_places(const CadShape &shape, int solid);
+
 // One mesh of all solids; the skin's points come first. Splitting an edge changes all tetrahedra,
 // triangles and segments at it.
 class CadTets {

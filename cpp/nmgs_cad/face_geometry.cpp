@@ -100,6 +100,10 @@ bool FaceGeometry::newton(Vec3 p, Uv &uv) const {
         }
         const double du = next.u - x.u;
         const double dv = next.v - x.v;
+        // Round and round a periodic surface leads nowhere; OpenCASCADE fails far out.
+        if (!(std::abs(du) <= high_.u - low_.u) || !(std::abs(dv) <= high_.v - low_.v)) {
+            return false;
+        }
         x = next;
         if (du * du * lu + dv * dv * lv < 1e-18 * scale_ * scale_) {
             uv = x;

@@ -4,6 +4,7 @@
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/quality/curved_metrics.h"
+#include "nmgs/quality/volume_metrics.h"
 #include "nmgs/support/error.h"
 #include "nmgs/support/memory.h"
 #include "nmgs/support/parallel.h"
@@ -51,7 +52,8 @@ struct Builder {
     const Lattice &fine;
     int scale; // 1, or 2 for second order
     Mesh mesh;
-    std::vector<std::int32_t> number; // of the fine lattice's nodes in the mesh, -1 unused
+    std::vector<std::int32_t> number;  // of the fine lattice's nodes in the mesh, -1 unused
+    std::vector<std::int32_t> off_cad; // nodes that left the CAD
 
     void number_nodes(std::span<const Vec3> points);
     void make_cells();
@@ -59,6 +61,8 @@ struct Builder {
     void make_node_groups();
     [[nodiscard]] std::vector<CadEntity> entities() const;
     void improve(const CadShape &shape, const Progress &progress);
+    bool release(const CadShape &shape, std::vector<CadEntity> &on,
+                 std::span<const std::int32_t> nodes, const Progress &progress);
     void bend(const CadShape &shape, std::span<const CadEntity> on, std::span<const Vec3> before);
     void straighten(std::span<const CadEntity> on);
 
@@ -339,20 +343,119 @@ void Builder::improve(const CadShape &shape, const Progress &progress) {
         scale == 1) {
         return;
     }
-    const std::vector<CadEntity> on = entities();
+    std::vector<CadEntity> on = entities();
     const std::vector<Vec3> before(points.begin(), points.end());
     UntangleOptions options;
     options.good = 0.5;
     const auto moved = improve_mesh(shape, points, on, solid ? nodes : none, solid ? none : nodes,
                                     face_of, bad, options, progress);
+    const bool released = solid && release(shape, on, nodes, progress);
     if (scale == 2) {
-        if (!moved.empty()) {
+        if (!moved.empty() || released) {
             bend(shape, on, before);
         }
         if (solid) {
             straighten(on);
         }
     }
+}
+
+// Cells that are still inside out: those nodes of theirs that are inside a CAD face leave it, as
+// little as will do. Whether any did; `on` says where they are now.
+bool Builder::release(const CadShape &shape, std::vector<CadEntity> &on,
+                      std::span<const std::int32_t> nodes, const Progress &progress) {
+    constexpr double sound = 1e-3;
+    constexpr double wanted = 0.02;
+    constexpr int rounds = 4;
+    const std::span<Vec3> points(mesh.points.data(), mesh.points.size());
+    std::vector<Vec3> home;
+    std::vector<std::int32_t> free;
+    const auto quality = [&](std::size_t first) {
+        std::array<Vec3, 8> p{};
+        for (std::size_t k = 0; k < 8; ++k) {
+            p[k] = points[static_cast<std::size_t>(nodes[first + k])];
+        }
+        return hexahedron::scaled_jacobian(p.data());
+    };
+    for (int round = 0; round < rounds; ++round) {
+        // The cells, later their neighbours as well.
+        std::vector<char> touched(points.size(), 0);
+        bool any = false;
+        const auto touch = [&](std::size_t c) {
+            for (std::size_t k = 0; k < 8; ++k) {
+                touched[static_cast<std::size_t>(nodes[c + k])] = 1;
+            }
+        };
+        for (std::size_t c = 0; c < nodes.size(); c += 8) {
+            if (quality(c) < sound) {
+                touch(c);
+                any = true;
+            }
+        }
+        if (!any) {
+            break;
+        }
+        for (int layer = 0; layer < round; ++layer) {
+            const std::vector<char> front = touched;
+            for (std::size_t c = 0; c < nodes.size(); c += 8) {
+                if (std::any_of(
+                        nodes.begin() + static_cast<std::ptrdiff_t>(c),
+                        nodes.begin() + static_cast<std::ptrdiff_t>(c) + 8,
+                        [&](std::int32_t n) { return front[static_cast<std::size_t>(n)]; })) {
+                    touch(c);
+                }
+            }
+        }
+        for (std::size_t n = 0; n < on.size(); ++n) {
+            if (touched[n] != 0 && on[n].dimension == 2) {
+                free.push_back(static_cast<std::int32_t>(n));
+                home.push_back(points[n]);
+                on[n] = {3, 0};
+            }
+        }
+        UntangleOptions options;
+        options.good = wanted;
+        improve_mesh(shape, points, on, nodes, {}, {}, sound, options, progress);
+    }
+    if (free.empty()) {
+        return false;
+    }
+    // Back as far as the cells round each node stay sound.
+    std::vector<std::int32_t> place(points.size(), -1);
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        place[static_cast<std::size_t>(free[i])] = static_cast<std::int32_t>(i);
+    }
+    std::vector<std::vector<std::size_t>> around(free.size());
+    for (std::size_t m = 0; m < nodes.size(); ++m) {
+        const std::int32_t i = place[static_cast<std::size_t>(nodes[m])];
+        if (i >= 0) {
+            around[static_cast<std::size_t>(i)].push_back(m / 8 * 8);
+        }
+    }
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        Vec3 &p = points[static_cast<std::size_t>(free[i])];
+        const auto least = [&] {
+            double q = 1;
+            for (const std::size_t c : around[i]) {
+                q = std::min(q, quality(c));
+            }
+            return q;
+        };
+        const Vec3 there = p;
+        const double limit = std::min(least(), 0.5 * wanted);
+        for (const double f : {1.0, 0.75, 0.5, 0.25}) {
+            p = there + f * (home[i] - there);
+            if (least() >= limit) {
+                break;
+            }
+            p = there;
+        }
+        if (!(p == home[i])) {
+            off_cad.push_back(free[i]);
+        }
+    }
+    std::sort(off_cad.begin(), off_cad.end());
+    return true;
 }
 
 // Mid-side nodes follow the ends of their edges, on the CAD.
@@ -424,7 +527,8 @@ void Builder::straighten(std::span<const CadEntity> on) {
 } // namespace
 
 Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
-                     const GenerateOptions &options, const Progress &progress) {
+                     const GenerateOptions &options, const Progress &progress,
+                     std::vector<std::int32_t> *off_cad) {
     if (order != 1 && order != 2) {
         throw ArgumentError("order: expected 1 or 2, got " + std::to_string(order));
     }
@@ -448,7 +552,7 @@ Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
     std::vector<Vec3> points(static_cast<std::size_t>(fine.node_count()));
     fill_points(finest, fine, points, progress, 0.0, 0.2);
     snap(shape, finest, blocks.binding, fine, points, progress, 0.2, 0.8);
-    Builder builder{model, finest, blocks.binding, topology, coarse, fine, order, {}, {}};
+    Builder builder{model, finest, blocks.binding, topology, coarse, fine, order, {}, {}, {}};
     builder.number_nodes(points);
     poll(progress, 0.9);
     builder.make_cells();
@@ -461,6 +565,9 @@ Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
         builder.make_boundary();
     }
     builder.make_node_groups();
+    if (off_cad != nullptr) {
+        *off_cad = std::move(builder.off_cad);
+    }
     poll(progress, 1.0);
     return std::move(builder.mesh);
 }

@@ -12,8 +12,11 @@ namespace nmgs::cad {
 // nodes come first and are numbered as by nmgs::generate; cells are ordered as there.
 // A mesh of blocks also has the quads that lie on CAD faces, seen from outside of the first block.
 // Groups: FaceN (quads), SolidN (hexahedra), EdgeN and VertexN (nodes).
-// Raises what generate raises; ArgumentError when order is neither 1 nor 2.
+// Where cells would be inside out with all nodes on the CAD, some nodes inside faces, never on
+// edges or vertices, leave it as little as will do; off_cad gets their numbers, ascending. Raises
+// what generate raises; ArgumentError when order is neither 1 nor 2.
 Mesh generate_on_cad(const CadShape &shape, const CadBlocks &blocks, int order,
-                     const GenerateOptions &options = {}, const Progress &progress = {});
+                     const GenerateOptions &options = {}, const Progress &progress = {},
+                     std::vector<std::int32_t> *off_cad = nullptr);
 
 } // namespace nmgs::cad

@@ -16,6 +16,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -232,6 +233,23 @@ void Start::build() {
                 number[at(side.nodes[k])] = BRep_Tool::Degenerated(edge)
                                                 ? vertex(TopExp::FirstVertex(edge))
                                                 : of_edge[at(side.edge)][k];
+            }
+        }
+        // Vertices inside the face, on none of its edges.
+        std::vector<TopoDS_Vertex> inside;
+        for (TopoDS_Iterator v(shape.face(patch.face)); v.More(); v.Next()) {
+            if (v.Value().ShapeType() == TopAbs_VERTEX) {
+                inside.push_back(TopoDS::Vertex(v.Value()));
+            }
+        }
+        for (const TopoDS_Vertex &v : inside) {
+            const Vec3 place = vec(BRep_Tool::Pnt(v));
+            const double near = std::max(BRep_Tool::Tolerance(v), 1e-7 * mesh.diagonal);
+            for (std::size_t n = 0; n < number.size(); ++n) {
+                if (number[n] < 0 && distance(patch.places[n], place) <= near) {
+                    number[n] = vertex(v);
+                    break;
+                }
             }
         }
         for (std::size_t n = 0; n < number.size(); ++n) {

@@ -144,10 +144,15 @@ void Cells::move(std::int32_t n, double &worst) {
 }
 
 constexpr double poor = 0.04; // what also points on faces move for
+// So many points may be moved in all, and so many of these along faces, which take longest.
+constexpr int most_moves = 30'000;
+constexpr int most_slides = 1000;
 
 // Moves the free points of the worst hexahedra; the worst value left.
 double Cells::improve(double good, int sweeps, const Progress &progress) {
     double least = 1;
+    int moves = 0;
+    int slides = 0;
     for (int sweep = 0; sweep <= sweeps; ++sweep) {
         poll(progress, 0.5 + 0.5 * sweep / (sweeps + 1));
         std::vector<std::pair<double, std::int32_t>> bad;
@@ -159,16 +164,22 @@ double Cells::improve(double good, int sweeps, const Progress &progress) {
                 bad.emplace_back(q, static_cast<std::int32_t>(h));
             }
         }
-        if (bad.empty() || sweep == sweeps) {
+        if (bad.empty() || sweep == sweeps || moves >= most_moves) {
             break;
         }
         std::sort(bad.begin(), bad.end());
         std::vector<char> seen(points.size(), 0);
         for (const auto &[q, h] : bad) {
             for (const std::int32_t n : hexas[at(h)]) {
-                const bool slides = q < poor && 2 * sweep >= sweeps && sliding.contains(n);
-                if ((free[at(n)] != 0 || slides) && seen[at(n)] == 0) {
+                const bool slide = q < poor && 2 * sweep >= sweeps && slides < most_slides &&
+                                   sliding.contains(n);
+                if ((free[at(n)] != 0 || slide) && seen[at(n)] == 0 && moves < most_moves) {
                     seen[at(n)] = 1;
+                    ++moves;
+                    slides += slide ? 1 : 0;
+                    if (moves % 64 == 0) {
+                        poll(progress, 0.5 + 0.5 * sweep / (sweeps + 1));
+                    }
                     double now = worst_around(n);
                     move(n, now);
                 }
@@ -341,7 +352,7 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     layout.points = cells.points;
 
     // A finer skin helps where the CAD bends a tetrahedron, and a flat one anywhere is still sound.
-    constexpr double folded = 0.01;
+    constexpr double folded = 0.03;
     constexpr double flat = 1e-5;
     constexpr double bent = 1e-3;
     std::int32_t last = -1;

@@ -54,7 +54,6 @@ SOLIDS = {
 def meshed(request):
     shape = SOLIDS[request.param]()
     model = nmgs.fit(shape, method="tet-to-hex")
-    model.divisions = np.ones_like(model.divisions)  # an element a block
     return shape, model, model.generate()
 
 

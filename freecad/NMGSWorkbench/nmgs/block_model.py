@@ -55,6 +55,8 @@ class CadLink:
         self.offsets = offsets
         self.entities = entities
         self.corners = corners
+        #: bool (NE,), blocks that default divisions leave in one element; None: no such.
+        self.whole: Optional[np.ndarray] = None
 
     def of(self, block: int, part: int) -> np.ndarray:
         """Entities of a part of a block (0-based)."""
@@ -314,7 +316,9 @@ class BlockModel:
             from .cad import generate_on_cad  # only here: cad.py imports this module
 
             raw = generate_on_cad(self, order, accepted, progress, bool(force))
-            return Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
+            mesh = Mesh(raw["points"], raw["cells"], raw["groups"], model=self)
+            mesh.off_cad = raw["off_cad"]
+            return mesh
         raw = _kernel.core().generate(
             self.nodes,
             self.divisions,

@@ -53,7 +53,7 @@ def fit(
     cad_shape = kernel.CadShape(brep_bytes(part))
     accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
     if dimension == 3 and method == tet_to_hexas.METHOD:
-        raw = tet_to_hexas.fill(cad_shape, indices, accepted, progress)
+        raw = _with_tets(cad_shape, _nothing(indices), accepted, progress)
     else:
         raw = kernel.fit(cad_shape, dimension, indices, accepted, method, progress)
         if dimension == 3 and method == "auto":
@@ -64,13 +64,20 @@ def fit(
         reasons = [entry["reason"] for entry in report]
         raise BlockingError("no blocks: " + "; ".join(reasons), names, reasons)
 
-    model = BlockModel(raw["nodes"], 1)
-    model.cad = CadLink(cad_shape, raw["offsets"], raw["entities"], raw["corners"])
+    model = linked(cad_shape, raw)
     if size is None:
         default_divisions(model)
     else:
         model.set_divisions(float(size))
     model.report = report
+    return model
+
+
+def linked(shape: Any, raw: Dict[str, Any]) -> BlockModel:
+    """The model of what the kernel's fit() returned for its CadShape."""
+    model = BlockModel(raw["nodes"], 1)
+    model.cad = CadLink(shape, raw["offsets"], raw["entities"], raw["corners"])
+    model.cad.whole = raw.get("whole")
     return model
 
 
@@ -81,6 +88,10 @@ def default_divisions(model: BlockModel) -> None:
     model.divisions = _kernel.core().default_divisions(
         model.nodes, model.divisions, link.shape.diagonal / 30, corners=link.corners
     )
+    if link.whole is not None:
+        divisions = model.divisions.copy()
+        divisions[link.whole] = 1
+        model.divisions = divisions
 
 
 def _with_tets(
@@ -95,19 +106,61 @@ def _with_tets(
     parts = [raw]
     for group in _joined(shape, [int(entry["entity"][5:]) for entry in left]):
         entries = [entry for entry in left if int(entry["entity"][5:]) in group]
-        try:
-            filled = tet_to_hexas.fill(shape, group, tolerance, progress)
-        except (BlockingError, GeometryError, TetGenError) as error:
-            for entry in entries:
-                entry["reason"] += f"; {tet_to_hexas.METHOD}: {error}"
+        filled, reasons = _filled(shape, group, tolerance, progress)
+        for entry in entries:
+            if int(entry["entity"][5:]) in reasons:
+                reason = f"{tet_to_hexas.METHOD}: {reasons[int(entry['entity'][5:])]}"
+                entry["reason"] = "; ".join(filter(None, (entry["reason"], reason)))
+        if filled is None:
             continue
-        reasons = {entry["entity"]: entry["reason"] for entry in entries}
+        known = {entry["entity"]: entry["reason"] for entry in entries}
         blockers = {entry["entity"]: entry["blockers"] for entry in entries}
         for entry in filled["report"]:
-            entry["reason"] = reasons[entry["entity"]]
+            entry["reason"] = known[entry["entity"]]
             entry["blockers"] = blockers[entry["entity"]]
         parts.append(filled)
     return raw if len(parts) == 1 else _joined_fits(parts)
+
+
+def _nothing(solids: Sequence[int]) -> Dict[str, Any]:
+    """What fit() returns where it can do nothing."""
+    entry = dict(method="", reason="", blockers=[], first_block=0, blocks=0, error=0.0, quality=0.0)
+    return {
+        "nodes": np.empty((0, 20, 3)),
+        "entities": np.empty((0, 2), np.int32),
+        "report": [dict(entry, entity=f"Solid{n}", place=(0.0, 0.0, 0.0)) for n in solids],
+    }
+
+
+def _filled(
+    shape: Any,
+    solids: Sequence[int],
+    tolerance: float,
+    progress: Optional[Callable[[float], Any]],
+) -> Tuple[Optional[Dict[str, Any]], Dict[int, str]]:
+    """Blocks of as many of the solids as can be filled together; the others' reasons."""
+    left, reasons = list(solids), {}
+    while left:
+        try:
+            return tet_to_hexas.fill(shape, left, tolerance, progress), reasons
+        except (BlockingError, GeometryError, TetGenError) as error:
+            named = {f"Solid{n}": n for n in left}
+            bad = [named[name] for name in getattr(error, "entities", ()) if name in named]
+            if not bad and len(left) > 1:
+                bad = [n for n in left if not _has_skin(shape, n)]
+            for n in bad or left:
+                reasons[n] = str(error)
+            left = [n for n in left if n not in reasons]
+    return None, reasons
+
+
+def _has_skin(shape: Any, solid: int) -> bool:
+    faces = sorted({face for face, _ in _kernel.cad().solid_faces(shape, solid)})
+    try:
+        _kernel.cad().make_skin(shape, faces)
+    except GeometryError:
+        return False
+    return True
 
 
 def _joined(shape: Any, solids: Sequence[int]) -> List[List[int]]:
@@ -150,6 +203,13 @@ def _joined_fits(parts: Sequence[Dict[str, Any]]) -> Dict[str, Any]:
         "offsets": np.concatenate(offsets),
         "entities": np.concatenate([part["entities"] for part in parts]),
         "corners": np.concatenate(corners),
+        "whole": np.concatenate(
+            [
+                part.get("whole", np.zeros(len(part["nodes"]), bool))
+                for part in parts
+                if len(part["nodes"])
+            ]
+        ),
         "report": sorted(entries.values(), key=lambda entry: int(entry["entity"][5:])),
     }
 

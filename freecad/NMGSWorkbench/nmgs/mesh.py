@@ -60,6 +60,9 @@ class Mesh:
         #: Of a mesh made by to_order: int32 (E, 2), the end nodes of each mid-side node's edge;
         #: the mid-side nodes are the last E points. None for other meshes.
         self.mid_side_ends: Optional[np.ndarray] = None
+        #: Of a mesh on CAD: int32 (K,), nodes inside faces that left the CAD because cells would be
+        #: inside out otherwise.
+        self.off_cad: np.ndarray = np.empty(0, np.int32)
 
     def _checked_cells(self, name: str, nodes: np.ndarray) -> np.ndarray:
         if name not in CELL_TYPES:
