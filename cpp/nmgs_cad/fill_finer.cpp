@@ -48,6 +48,10 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
             break;
         }
     }
+    if (quality <= 0) {
+        refusal = {"its blocks would be folded", {entity_name(3, solid)}};
+        return false;
+    }
     layout = std::move(*best);
     return true;
 }
