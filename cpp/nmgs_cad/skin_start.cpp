@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nmgs::cad {
 namespace {
@@ -51,10 +52,73 @@ struct Start {
     std::vector<std::vector<double>> parameters; // of each edge's points, ends included
 
     void read(int number);
+    static void insert(Patch &patch, Vec3 place, Uv uv);
     void halve(std::int32_t edge, std::size_t k);
     void mend();
     void build();
 };
+
+// Puts a point into the triangle that it falls into, or the two at an edge.
+void Start::insert(Patch &patch, Vec3 place, Uv uv) {
+    const auto twice = [](Uv a, Uv b, Uv c) {
+        return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+    };
+    std::size_t best = 0;
+    std::size_t opposite = 0;
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+        const auto &p = patch.triangles[t];
+        const double all = twice(patch.uv[at(p[0])], patch.uv[at(p[1])], patch.uv[at(p[2])]);
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t corner = 0;
+        for (std::size_t i = 0; i < 3 && all != 0; ++i) {
+            const double share =
+                twice(uv, patch.uv[at(p[(i + 1) % 3])], patch.uv[at(p[(i + 2) % 3])]) / all;
+            if (share < least) {
+                least = share;
+                corner = i;
+            }
+        }
+        if (all != 0 && least > most) {
+            most = least;
+            best = t;
+            opposite = corner;
+        }
+    }
+    if (!(most > -1e-6)) {
+        return;
+    }
+    const auto fresh = static_cast<int>(patch.places.size());
+    patch.places.push_back(place);
+    patch.uv.push_back(uv);
+    const auto old = patch.triangles[best];
+    if (most > 1e-3) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            auto part = old;
+            part[i] = fresh;
+            if (i == 0) {
+                patch.triangles[best] = part;
+            } else {
+                patch.triangles.push_back(part);
+            }
+        }
+        return;
+    }
+    const int a = old[(opposite + 1) % 3];
+    const int b = old[(opposite + 2) % 3];
+    const std::size_t count = patch.triangles.size();
+    for (std::size_t t = 0; t < count; ++t) {
+        auto one = patch.triangles[t];
+        if (std::find(one.begin(), one.end(), a) != one.end() &&
+            std::find(one.begin(), one.end(), b) != one.end()) {
+            auto two = one;
+            std::replace(one.begin(), one.end(), a, fresh);
+            std::replace(two.begin(), two.end(), b, fresh);
+            patch.triangles[t] = one;
+            patch.triangles.push_back(two);
+        }
+    }
+}
 
 void Start::read(int number) {
     const TopoDS_Face face = shape.face(number);
@@ -84,6 +148,19 @@ void Start::read(int number) {
             std::swap(b, c);
         }
         patch.triangles.push_back({a - 1, b - 1, c - 1});
+    }
+    // OpenCASCADE leaves out the vertices inside a face.
+    for (TopoDS_Iterator v(face); v.More(); v.Next()) {
+        if (v.Value().ShapeType() != TopAbs_VERTEX) {
+            continue;
+        }
+        const Vec3 p = vec(BRep_Tool::Pnt(TopoDS::Vertex(v.Value())));
+        const bool known = std::any_of(patch.places.begin(), patch.places.end(), [&](Vec3 q) {
+            return distance(p, q) <= 1e-7 * mesh.diagonal;
+        });
+        if (!known) {
+            insert(patch, p, mesh.face(number).nearest(p, {}));
+        }
     }
     for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
         const TopoDS_Edge &edge = TopoDS::Edge(e.Current());
