@@ -84,16 +84,26 @@ def run(path, kind, limit):
     failed = {"entities": {}, "problems": [], "seconds": limit}
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=limit + 30)
-    except subprocess.TimeoutExpired:
-        return dict(failed, problems=[f"not done after {limit:g} s"])
+    except subprocess.TimeoutExpired as error:
+        return lost(failed, error.stdout or b"", f"not done after {limit:g} s")
     if done.returncode:
         last = (done.stderr.strip().splitlines() or ["no output"])[-1]
-        return dict(failed, problems=[f"ended with {done.returncode}: {last}"])
+        return lost(failed, done.stdout.encode(), f"ended with {done.returncode}: {last}")
     outcome = json.loads(done.stdout.strip().splitlines()[-1])
     if outcome["seconds"] > limit:
         outcome["problems"].append(f"took {outcome['seconds']:.0f} s")
     outcome["total"] = time.monotonic() - start
     return outcome
+
+
+def lost(failed, output, reason):
+    """The outcome of a run that gave none: all entities that it was to do count as not done."""
+    names = []
+    for line in output.decode().splitlines():
+        if line.startswith("[") and not names:
+            names = json.loads(line)
+    entities = {name: {"method": "", "reason": reason} for name in names}
+    return dict(failed, entities=entities, problems=[reason])
 
 
 # One model, in its own process.
@@ -111,6 +121,7 @@ def measure(path, kind):
     outcome = {"entities": {}, "problems": [], "seconds": 0.0}
     if not names:
         return outcome
+    print("\n" + json.dumps(names), flush=True)
     from freecad.NMGSWorkbench import nmgs
 
     start = time.monotonic()

@@ -10,11 +10,10 @@
 
 #include "nmgs_cad/face_layout.h"
 #include "nmgs_cad/generate_on_cad.h"
+#include "nmgs_cad/occt_failure.h"
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/version.h"
-
-#include <Standard_Failure.hxx>
 
 #include <memory>
 #include <numbers>
@@ -87,18 +86,16 @@ py::dict generate_mesh(const CadShape &shape, const DoubleArray &nodes, const In
 void register_failures() {
     // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11's signature.
     py::register_local_exception_translator([](std::exception_ptr pointer) {
-        try {
-            if (pointer) {
-                std::rethrow_exception(pointer);
-            }
-        } catch (const Standard_Failure &failure) {
-            const py::object error =
-                py::module_::import("freecad.NMGSWorkbench.nmgs.errors")
-                    .attr("GeometryError")(std::string("OpenCASCADE failed: ") +
-                                           failure.DynamicType()->Name() + " " +
-                                           failure.GetMessageString());
-            PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
+        if (!pointer) {
+            return;
         }
+        const auto text = cad::occt_failure(pointer);
+        if (!text) {
+            std::rethrow_exception(pointer);
+        }
+        const py::object error = py::module_::import("freecad.NMGSWorkbench.nmgs.errors")
+                                     .attr("GeometryError")("OpenCASCADE failed: " + *text);
+        PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
     });
 }
 

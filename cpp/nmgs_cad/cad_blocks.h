@@ -43,8 +43,8 @@ struct FitEntry {
     std::int32_t first_block = 0, blocks = 0;
     double error = 0; // largest distance found between the blocks' faces and the CAD's
     std::array<double, 3> place{0, 0, 0}; // where
-    // Of a face: least sine of an angle of the layout, what scaled Jacobians tend to. Of a solid: the
-    // worst scaled Jacobian of a mesh made from the layout; 0 where that was not measured.
+    // Of a face: least sine of an angle of the layout, what scaled Jacobians tend to. Of a solid:
+    // the worst scaled Jacobian of a mesh made from the layout; 0 where that was not measured.
     double quality = 0;
 };
 

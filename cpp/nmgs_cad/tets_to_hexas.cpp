@@ -171,8 +171,8 @@ double Cells::improve(double good, int sweeps, const Progress &progress) {
         std::vector<char> seen(points.size(), 0);
         for (const auto &[q, h] : bad) {
             for (const std::int32_t n : hexas[at(h)]) {
-                const bool slide = q < poor && 2 * sweep >= sweeps && slides < most_slides &&
-                                   sliding.contains(n);
+                const bool slide =
+                    q < poor && 2 * sweep >= sweeps && slides < most_slides && sliding.contains(n);
                 if ((free[at(n)] != 0 || slide) && seen[at(n)] == 0 && moves < most_moves) {
                     seen[at(n)] = 1;
                     ++moves;

@@ -335,7 +335,7 @@ double least_value(const Kind &kind, const Piece &piece) {
 double bound_below(const Kind &kind, Piece whole, double absolute, double relative = 0) {
     constexpr std::size_t most_pieces = 1000;
     constexpr std::size_t most_of_folded = 64; // a cell that is unusable anyway
-    double taken = least_value(kind, whole); // the minimum is not above
+    double taken = least_value(kind, whole);   // the minimum is not above
     double lower = lower_bound(kind, whole);
     const auto close = [&](double bound) {
         return bound >= taken - absolute - relative * std::max(0.0, taken);
@@ -348,8 +348,7 @@ double bound_below(const Kind &kind, Piece whole, double absolute, double relati
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     open.emplace(lower, 0);
-    while (!close(open.top().first) &&
-           pieces.size() < (taken < 0 ? most_of_folded : most_pieces)) {
+    while (!close(open.top().first) && pieces.size() < (taken < 0 ? most_of_folded : most_pieces)) {
         const std::size_t at = open.top().second;
         open.pop();
         const Piece piece = std::move(pieces[at]);
