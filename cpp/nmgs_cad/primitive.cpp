@@ -447,8 +447,8 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
     if (faces.Extent() > 8) {
         return false; // nothing that is turned but for a stretch
     }
-    const auto [out, back] = rounding(shape.solid(solid));
-    BRepBuilderAPI_GTransform round(shape.solid(solid), out, Standard_True);
+    const auto maps = rounding(shape.solid(solid));
+    BRepBuilderAPI_GTransform round(shape.solid(solid), maps.first, Standard_True);
     const CadShape rounded = make_shape(round.Shape());
     if (rounded.solids.Extent() != 1) {
         return false;
@@ -460,7 +460,7 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
                               why.blockers = {entity_name(3, solid)};
                               return false;
                           }
-                          transform(*mesh, back);
+                          transform(*mesh, maps.second);
                           return add_hexas(shape, solid, *mesh, trial, why);
                       });
 }
