@@ -448,7 +448,7 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
         return false; // nothing that is turned but for a stretch
     }
     const auto maps = rounding(shape.solid(solid));
-    BRepBuilderAPI_GTransform round(shape.solid(solid), maps.first, Standard_True);
+    BRepBuilderAPI_GTransform round(shape.solid(solid), maps[0], Standard_True);
     const CadShape rounded = make_shape(round.Shape());
     if (rounded.solids.Extent() != 1) {
         return false;
@@ -460,7 +460,7 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
                               why.blockers = {entity_name(3, solid)};
                               return false;
                           }
-                          transform(*mesh, maps.second);
+                          transform(*mesh, maps[1]);
                           return add_hexas(shape, solid, *mesh, trial, why);
                       });
 }

@@ -100,7 +100,9 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
     entry = {};
     entry.entity = {3, solid};
     std::set<std::string> blockers;
-    for (const auto &[name, strategy] : strategies) {
+    for (const SolidStrategy &tried : strategies) {
+        const std::string_view name = tried.name;
+        const FillSolid strategy = tried.fill;
         if (options.method != "auto" && options.method != name) {
             continue;
         }
