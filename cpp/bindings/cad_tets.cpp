@@ -22,6 +22,7 @@ namespace {
 
 template <class Scalar, class T>
 py::array_t<Scalar> table(const std::vector<T> &rows) {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): rows may be single numbers, of one column.
     constexpr auto columns = static_cast<py::ssize_t>(sizeof(T) / sizeof(Scalar));
     py::array_t<Scalar> array({static_cast<py::ssize_t>(rows.size()), columns});
     if (!rows.empty()) {
