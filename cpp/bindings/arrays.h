@@ -8,6 +8,8 @@
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
+
+#include <cstring>
 #include <pybind11/pybind11.h>
 
 #include <memory>
@@ -97,6 +99,18 @@ inline Progress progress_of(const py::object &callable) {
         const py::object answer = callable(fraction);
         return answer.is_none() || answer.cast<bool>();
     };
+}
+
+// A copy of rows as an array (N, Scalars a row).
+template <class Scalar, class T>
+py::array_t<Scalar> table(const std::vector<T> &rows) {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): rows may be single numbers, of one column.
+    constexpr auto columns = static_cast<py::ssize_t>(sizeof(T) / sizeof(Scalar));
+    py::array_t<Scalar> array({static_cast<py::ssize_t>(rows.size()), columns});
+    if (!rows.empty()) {
+        std::memcpy(array.mutable_data(), rows.data(), rows.size() * sizeof(T));
+    }
+    return array;
 }
 
 } // namespace nmgs::bindings

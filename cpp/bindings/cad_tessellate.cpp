@@ -5,20 +5,8 @@
 
 #include "nmgs_cad/tessellate.h"
 
-#include <cstring>
-
 namespace nmgs::bindings {
 namespace {
-
-template <class Scalar, class T>
-py::array_t<Scalar> table(const std::vector<T> &rows) {
-    constexpr auto columns = static_cast<py::ssize_t>(sizeof(T) / sizeof(Scalar));
-    py::array_t<Scalar> array({static_cast<py::ssize_t>(rows.size()), columns});
-    if (!rows.empty()) {
-        std::memcpy(array.mutable_data(), rows.data(), rows.size() * sizeof(T));
-    }
-    return array;
-}
 
 py::dict tessellation(const cad::CadShape &shape, double deviation, double angle,
                       const py::object &progress) {

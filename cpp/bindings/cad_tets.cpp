@@ -14,22 +14,10 @@
 
 #include <pybind11/stl.h>
 
-#include <cstring>
 #include <memory>
 
 namespace nmgs::bindings {
 namespace {
-
-template <class Scalar, class T>
-py::array_t<Scalar> table(const std::vector<T> &rows) {
-    // NOLINTNEXTLINE(bugprone-sizeof-expression): rows may be single numbers, of one column.
-    constexpr auto columns = static_cast<py::ssize_t>(sizeof(T) / sizeof(Scalar));
-    py::array_t<Scalar> array({static_cast<py::ssize_t>(rows.size()), columns});
-    if (!rows.empty()) {
-        std::memcpy(array.mutable_data(), rows.data(), rows.size() * sizeof(T));
-    }
-    return array;
-}
 
 // limits: (N, 5) x, y, z, radius, size.
 std::shared_ptr<cad::Skin> make_skin(const cad::CadShape &shape, const std::vector<int> &faces,

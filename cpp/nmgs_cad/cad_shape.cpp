@@ -3,11 +3,15 @@
 
 #include "nmgs/support/error.h"
 #include "nmgs_cad/cad_geometry.h"
+#include "nmgs_cad/occt_vec.h"
 
 #include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
@@ -30,10 +34,20 @@ TopoDS_Vertex CadShape::vertex(int n) const {
     return TopoDS::Vertex(vertices(n));
 }
 
+Vec3 CadShape::point(int n) const {
+    return vec(BRep_Tool::Pnt(vertex(n)));
+}
+
 double CadShape::diagonal() const {
     Bnd_Box box;
     BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
     return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+}
+
+double volume_of(const TopoDS_Shape &shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
 }
 
 CadShape make_shape(const TopoDS_Shape &shape) {

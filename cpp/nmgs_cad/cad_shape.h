@@ -2,6 +2,8 @@
 // A CAD shape whose parts are numbered as FreeCAD numbers them.
 #pragma once
 
+#include "nmgs/support/vec3.h"
+
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -28,8 +30,12 @@ struct CadShape {
     [[nodiscard]] TopoDS_Face face(int n) const;
     [[nodiscard]] TopoDS_Edge edge(int n) const;
     [[nodiscard]] TopoDS_Vertex vertex(int n) const;
+    [[nodiscard]] Vec3 point(int n) const; // of vertex n
     [[nodiscard]] double diagonal() const; // of the bounding box
 };
+
+// Of its solids; below 0 where they are stored inside out.
+double volume_of(const TopoDS_Shape &shape);
 
 CadShape make_shape(const TopoDS_Shape &shape);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cad_tets.h"
 
-#include <BRep_Tool.hxx>
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
+#include "nmgs_cad/occt_vec.h"
+
 #include <GCPnts_AbscissaPoint.hxx>
 #include <TopExp_Explorer.hxx>
 
@@ -12,15 +15,6 @@
 namespace nmgs::cad {
 namespace {
 
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
-std::array<std::int32_t, 2> pair(std::int32_t a, std::int32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 template <std::size_t n>
 bool has(const std::array<std::int32_t, n> &list, std::int32_t value) {
     return std::find(list.begin(), list.end(), value) != list.end();
@@ -69,7 +63,7 @@ CadTets::CadTets(const CadShape &shape, const Skin &skin, std::span<const SolidT
             points.push_back(p);
             on.push_back({3, solid.solid});
             for (const int v : vertices) {
-                if (p == vec(BRep_Tool::Pnt(shape.vertex(v)).XYZ())) {
+                if (p == shape.point(v)) {
                     on.back() = {0, v};
                 }
             }
@@ -88,7 +82,8 @@ CadTets::CadTets(const CadShape &shape, const Skin &skin, std::span<const SolidT
     for (std::size_t e = 0; e < skin.edges.size(); ++e) {
         chains[e] = {skin.edges[e], skin.parameters[e]};
         for (std::size_t k = 0; k + 1 < skin.edges[e].size(); ++k) {
-            segments_[pair(skin.edges[e][k], skin.edges[e][k + 1])] = static_cast<std::int32_t>(e);
+            segments_[ascending(skin.edges[e][k], skin.edges[e][k + 1])] =
+                static_cast<std::int32_t>(e);
         }
     }
     tets_of_.resize(points.size());
@@ -122,7 +117,7 @@ const BRepAdaptor_Curve &CadTets::curve(int n) {
 }
 
 std::int32_t CadTets::segment(std::int32_t a, std::int32_t b) const {
-    const auto found = segments_.find(pair(a, b));
+    const auto found = segments_.find(ascending(a, b));
     return found == segments_.end() ? 0 : found->second;
 }
 
@@ -141,7 +136,7 @@ CadTets::Middle CadTets::middle(std::int32_t a, std::int32_t b) {
     if (edge != 0) {
         const Chain &chain = chains[at(edge)];
         std::size_t k = 0;
-        while (pair(chain.points[k], chain.points[k + 1]) != pair(a, b)) {
+        while (ascending(chain.points[k], chain.points[k + 1]) != ascending(a, b)) {
             ++k;
         }
         const double low = chain.parameters[k];
@@ -269,15 +264,15 @@ std::int32_t CadTets::split(std::int32_t a, std::int32_t b) {
     if (m.on.dimension == 1) {
         Chain &chain = chains[at(m.on.index)];
         std::size_t k = 0;
-        while (pair(chain.points[k], chain.points[k + 1]) != pair(a, b)) {
+        while (ascending(chain.points[k], chain.points[k + 1]) != ascending(a, b)) {
             ++k;
         }
         const auto where = static_cast<std::ptrdiff_t>(k) + 1;
         chain.points.insert(chain.points.begin() + where, n);
         chain.parameters.insert(chain.parameters.begin() + where, m.t);
-        segments_.erase(pair(a, b));
-        segments_[pair(a, n)] = m.on.index;
-        segments_[pair(n, b)] = m.on.index;
+        segments_.erase(ascending(a, b));
+        segments_[ascending(a, n)] = m.on.index;
+        segments_[ascending(n, b)] = m.on.index;
     }
     return n;
 }
@@ -312,7 +307,7 @@ void CadTets::split_inside(std::size_t tet) {
 Vec3 CadTets::direction(std::int32_t from, std::int32_t to, std::int32_t edge) {
     const Chain &chain = chains[at(edge)];
     std::size_t k = 0;
-    while (pair(chain.points[k], chain.points[k + 1]) != pair(from, to)) {
+    while (ascending(chain.points[k], chain.points[k + 1]) != ascending(from, to)) {
         ++k;
     }
     const bool forward = chain.points[k] == from;
@@ -360,7 +355,7 @@ void CadTets::split_grazing() {
                 for (const std::int32_t end : {a, b}) {
                     const auto &list = normals[at(end)];
                     if (std::any_of(list.begin(), list.end(), grazes)) {
-                        wanted.insert(pair(a, b));
+                        wanted.insert(ascending(a, b));
                     }
                 }
             }
@@ -405,7 +400,7 @@ void CadTets::split_folding(int rounds) {
                     const bool folds = segment(hinge[0], hinge[1]) == 0 ||
                                        -dot(normal(i), normal(j)) > smooth_cosine;
                     if (folds) {
-                        mine.insert(pair(p[i], p[j]));
+                        mine.insert(ascending(p[i], p[j]));
                     }
                 }
             }
@@ -420,7 +415,7 @@ void CadTets::split_folding(int rounds) {
                         if (e != 0 && f != 0 &&
                             dot(direction(p[v], p[i], e), direction(p[v], p[j], f)) <
                                 straight_cosine) {
-                            mine.insert(pair(p[i], p[j]));
+                            mine.insert(ascending(p[i], p[j]));
                         }
                     }
                 }
@@ -523,8 +518,7 @@ void CadTets::smooth(int sweeps) {
 std::vector<Vec3> inner_vertex_places(const CadShape &shape, int solid) {
     std::vector<Vec3> places;
     for (const int v : inner_vertices(shape, solid)) {
-        const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(v));
-        places.push_back({p.X(), p.Y(), p.Z()});
+        places.push_back(shape.point(v));
     }
     return places;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/constrained_delaunay.h"
 
+#include "nmgs/support/ascending.h"
 #include "nmgs/support/predicates.h"
 
 #include <algorithm>
@@ -121,7 +122,7 @@ struct Triangulation {
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::int32_t a = tri(t).v[i];
                 const std::int32_t b = tri(t).v[(i + 1) % 3];
-                if (kept != nullptr && kept->contains({std::min(a, b), std::max(a, b)})) {
+                if (kept != nullptr && kept->contains(ascending(a, b))) {
                     continue;
                 }
                 if (wants_flip(t, i)) {
@@ -359,7 +360,7 @@ constrained_delaunay(std::span<const Point2> points, std::span<const Segment> se
             const std::int32_t b = mesh.tri(t).v[(i + 1) % 3];
             const std::int32_t o = mesh.tri(t).n[i];
             if (o >= 0 && inside[static_cast<std::size_t>(o)] == 0 &&
-                !kept.contains({std::min(a, b), std::max(a, b)})) {
+                !kept.contains(ascending(a, b))) {
                 inside[static_cast<std::size_t>(o)] = 1;
                 stack.push_back(o);
             }

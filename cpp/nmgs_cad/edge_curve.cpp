@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/edge_curve.h"
 
+#include "nmgs_cad/occt_vec.h"
+
 #include <TColStd_Array1OfReal.hxx>
 
 #include <algorithm>
@@ -12,10 +14,6 @@ namespace nmgs::cad {
 namespace {
 
 constexpr double end_accuracy = 1e-9; // of the length
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 } // namespace
 

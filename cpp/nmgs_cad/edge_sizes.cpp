@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/edge_sizes.h"
 
+#include "nmgs/support/vec3.h"
 #include "nmgs_cad/edge_curve.h"
+#include "nmgs_cad/occt_vec.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <TopExp.hxx>
@@ -15,14 +17,6 @@ namespace nmgs::cad {
 namespace {
 
 constexpr int steps = 24; // of an edge's length
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
-
-double angle_between(Vec3 a, Vec3 b) {
-    return std::atan2(norm(cross(a, b)), dot(a, b));
-}
 
 // A place on the boundary of a face.
 struct Sample {

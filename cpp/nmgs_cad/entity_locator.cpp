@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/entity_locator.h"
 
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
@@ -17,10 +19,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-gp_Pnt pnt(Vec3 p) {
-    return {p.x, p.y, p.z};
-}
 
 Box box_of(const TopoDS_Shape &shape, double gap) {
     Bnd_Box bounds;
@@ -77,8 +75,7 @@ EntityLocator::EntityLocator(const CadShape &shape, int solid, double tolerance)
     const TopoDS_Solid in = shape.solid(solid);
     vertices_ = numbers(shape.vertices, in, TopAbs_VERTEX);
     for (const int n : vertices_) {
-        const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(n));
-        places_.push_back({p.X(), p.Y(), p.Z()});
+        places_.push_back(shape.point(n));
         vertex_tolerance_.push_back(tolerance + BRep_Tool::Tolerance(shape.vertex(n)));
     }
     for (const int n : numbers(shape.edges, in, TopAbs_EDGE)) {

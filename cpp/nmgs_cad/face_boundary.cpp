@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_boundary.h"
 
+#include "nmgs/support/vec3.h"
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepAdaptor_Curve.hxx>
 
 #include <algorithm>
@@ -8,15 +11,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
-
-Vec3 unit(Vec3 a) {
-    const double l = norm(a);
-    return l > 0 ? (1 / l) * a : Vec3{0, 0, 0};
-}
 
 // The parameter in [from, to] at which the curve is nearest to p: sampling, then golden section.
 double parameter_of(const BRepAdaptor_Curve &curve, Vec3 p, double from, double to) {

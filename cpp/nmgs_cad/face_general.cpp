@@ -2,6 +2,8 @@
 #include "nmgs_cad/face_general.h"
 
 #include "nmgs/convert/matching.h"
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
 #include "nmgs_cad/face_triangles.h"
 #include "nmgs_cad/quad_cleanup.h"
 #include "nmgs_cad/quad_smoothing.h"
@@ -19,10 +21,6 @@ constexpr double pi = std::numbers::pi;
 using Quad = std::array<std::int32_t, 4>;
 using Cell = std::vector<std::int32_t>; // three or four nodes, counter-clockwise
 
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
-
 // How near to right the quad's angles are: 1 for a rectangle, 0 when one is straight or nothing.
 double rightness(const FaceMesh &mesh, const Quad &quad) {
     double worst = 0;
@@ -37,7 +35,7 @@ struct Pairing {
     std::vector<Cell> cells;
 
     [[nodiscard]] bool kept(std::int32_t a, std::int32_t b) const {
-        return from.kept.contains({std::min(a, b), std::max(a, b)});
+        return from.kept.contains(ascending(a, b));
     }
     void match() {
         std::map<std::array<std::int32_t, 2>, std::int32_t> of_edge;

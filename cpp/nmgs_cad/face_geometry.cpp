@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_geometry.h"
 
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepLProp_SLProps.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
@@ -10,16 +12,7 @@
 #include <cmath>
 
 namespace nmgs::cad {
-namespace {
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
-gp_Pnt point(Vec3 p) {
-    return {p.x, p.y, p.z};
-}
-
-} // namespace
+namespace {} // namespace
 
 double SurfaceFrame::along(Vec3 direction) const {
     const Vec3 tangent = direction - dot(direction, normal) * normal;
@@ -68,7 +61,7 @@ bool FaceGeometry::newton(Vec3 p, Uv &uv) const {
         gp_Pnt s;
         gp_Vec su, sv, suu, svv, suv;
         surface_.D2(x.u, x.v, s, su, sv, suu, svv, suv);
-        const gp_Vec r(point(p), s);
+        const gp_Vec r(pnt(p), s);
         const double distance2 = r.SquareMagnitude();
         if (before >= 0 && distance2 > before * 1.5 + 1e-20 * scale_ * scale_) {
             return false;
@@ -117,19 +110,19 @@ Uv FaceGeometry::nearest(Vec3 p, Uv guess) const {
     Uv uv = guess;
     switch (surface_.GetType()) {
     case GeomAbs_Plane:
-        ElSLib::Parameters(surface_.Plane(), point(p), uv.u, uv.v);
+        ElSLib::Parameters(surface_.Plane(), pnt(p), uv.u, uv.v);
         return uv;
     case GeomAbs_Cylinder:
-        ElSLib::Parameters(surface_.Cylinder(), point(p), uv.u, uv.v);
+        ElSLib::Parameters(surface_.Cylinder(), pnt(p), uv.u, uv.v);
         return uv;
     case GeomAbs_Cone:
-        ElSLib::Parameters(surface_.Cone(), point(p), uv.u, uv.v);
+        ElSLib::Parameters(surface_.Cone(), pnt(p), uv.u, uv.v);
         return uv;
     case GeomAbs_Sphere:
-        ElSLib::Parameters(surface_.Sphere(), point(p), uv.u, uv.v);
+        ElSLib::Parameters(surface_.Sphere(), pnt(p), uv.u, uv.v);
         return uv;
     case GeomAbs_Torus:
-        ElSLib::Parameters(surface_.Torus(), point(p), uv.u, uv.v);
+        ElSLib::Parameters(surface_.Torus(), pnt(p), uv.u, uv.v);
         return uv;
     default:
         break;
@@ -137,7 +130,7 @@ Uv FaceGeometry::nearest(Vec3 p, Uv guess) const {
     if (newton(p, uv)) {
         return uv;
     }
-    const gp_Pnt2d found = search_->ValueOfUV(point(p), Precision::Confusion());
+    const gp_Pnt2d found = search_->ValueOfUV(pnt(p), Precision::Confusion());
     return {found.X(), found.Y()};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_intervals.h"
 
+#include "nmgs/support/ascending.h"
 #include "nmgs_cad/face_midpoint.h"
 
 #include <TopExp.hxx>
@@ -238,7 +239,7 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
         }
         int a = shape.vertices.FindIndex(TopExp::FirstVertex(shape.edge(e)));
         int b = shape.vertices.FindIndex(TopExp::LastVertex(shape.edge(e)));
-        between[{std::min(a, b), std::max(a, b)}].push_back(e);
+        between[ascending(a, b)].push_back(e);
     }
     for (const auto &[ends, edges] : between) {
         if (edges.size() > 1 || ends[0] == ends[1]) {

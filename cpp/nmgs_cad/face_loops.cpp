@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_loops.h"
 
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -17,10 +19,6 @@ namespace nmgs::cad {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Vec3 vec(const gp_Pnt &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 double length2(Uv a) {
     return a.u * a.u + a.v * a.v;
@@ -165,7 +163,7 @@ std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &re
             use.forward = edge.Orientation() != TopAbs_REVERSED;
             if (edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL) {
                 use.vertex = shape.vertices.FindIndex(TopExp::FirstVertex(shape.edge(use.edge)));
-                use.start = vec(BRep_Tool::Pnt(shape.vertex(use.vertex)));
+                use.start = shape.point(use.vertex);
                 result.inner.push_back(use);
                 continue;
             }
@@ -179,7 +177,7 @@ std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &re
             const TopoDS_Edge edge = shape.edge(use.edge);
             use.vertex = shape.vertices.FindIndex(use.forward ? TopExp::FirstVertex(edge)
                                                               : TopExp::LastVertex(edge));
-            use.start = vec(BRep_Tool::Pnt(shape.vertex(use.vertex)));
+            use.start = shape.point(use.vertex);
         }
         if (reversed) {
             std::reverse(uses.begin(), uses.end());

@@ -2,6 +2,7 @@
 #include "nmgs_cad/face_mesh.h"
 
 #include "nmgs/element/quad8.h"
+#include "nmgs/support/ascending.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ Uv FaceMesh::bend(std::int32_t a, std::int32_t b) const {
 void FaceMesh::set_middle(const FaceSurface &surface, std::int32_t a, std::int32_t b, Uv bend) {
     const Uv half =
         0.5 * (uv[static_cast<std::size_t>(a)] + uv[static_cast<std::size_t>(b)]) + bend;
-    middles[{std::min(a, b), std::max(a, b)}] = surface.at(half);
+    middles[ascending(a, b)] = surface.at(half);
 }
 
 FaceMesh face_mesh_of(const FaceSurface &surface, const std::vector<BoundaryLoop> &boundary,
@@ -232,7 +233,7 @@ void put(const FaceMesh &mesh, int face, Layout &layout) {
     for (const auto &[ends, middle] : mesh.middles) {
         const std::int32_t a = number[static_cast<std::size_t>(ends[0])];
         const std::int32_t b = number[static_cast<std::size_t>(ends[1])];
-        layout.middles[{std::min(a, b), std::max(a, b)}] = middle;
+        layout.middles[ascending(a, b)] = middle;
     }
     for (const auto &quad : mesh.quads) {
         Layout::Quad q{{}, face};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_midpoint.h"
 
+#include "nmgs/support/at.h"
 #include "nmgs_cad/quad_smoothing.h"
 
 #include <numbers>
@@ -11,10 +12,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 using Numbers = std::vector<std::int32_t>;
-
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
 
 // Each node inside at the mean of its neighbours' parameters.
 void relax(FaceMesh &mesh, const FaceSurface &surface) {

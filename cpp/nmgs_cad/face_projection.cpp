@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_projection.h"
 
+#include "nmgs/support/vec3.h"
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
@@ -17,17 +20,7 @@
 #include <limits>
 
 namespace nmgs::cad {
-namespace {
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
-Vec3 unit(Vec3 v) {
-    const double n = norm(v);
-    return n > 0 ? (1 / n) * v : Vec3{0, 0, 0};
-}
-
-} // namespace
+namespace {} // namespace
 
 FaceProjection::FaceProjection(const TopoDS_Face &face)
     : geometry_(BRep_Tool::Surface(face)), surface_(geometry_),

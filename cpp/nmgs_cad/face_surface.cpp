@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_surface.h"
 
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomLProp_SLProps.hxx>
@@ -12,13 +14,7 @@
 #include <cmath>
 
 namespace nmgs::cad {
-namespace {
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
-
-} // namespace
+namespace {} // namespace
 
 FaceSurface::FaceSurface(const TopoDS_Face &face)
     : surface_(TopoDS::Face(face.Oriented(TopAbs_FORWARD)), Standard_False),

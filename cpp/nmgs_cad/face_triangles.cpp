@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_triangles.h"
 
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
 #include "nmgs/support/predicates.h"
 #include "nmgs_cad/constrained_delaunay.h"
 
@@ -15,13 +17,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Triangle = std::array<std::int32_t, 3>;
 using Pair = std::array<std::int32_t, 2>;
-
-Pair pair(std::int32_t a, std::int32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
 
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
     const Vec3 d = b - a;
@@ -170,7 +165,7 @@ struct Flipper {
             const auto left = of_edge.find(e);
             const auto right = of_edge.find({e[1], e[0]});
             if (left == of_edge.end() || right == of_edge.end() ||
-                result.kept.contains(pair(e[0], e[1]))) {
+                result.kept.contains(ascending(e[0], e[1]))) {
                 continue;
             }
             const std::int32_t s = left->second;
@@ -295,7 +290,7 @@ std::optional<FaceTriangles> triangulate_face(const FaceSurface &surface,
                 pieces.push_back({a, b});
             }
             if (is_inner) {
-                result.kept.insert(pair(a, b));
+                result.kept.insert(ascending(a, b));
             }
         }
         if (is_inner) {
@@ -311,7 +306,7 @@ std::optional<FaceTriangles> triangulate_face(const FaceSurface &surface,
     // An edge that the face has on both sides is no end of the domain.
     std::map<Pair, int> uses;
     for (const Segment &s : segments) {
-        ++uses[pair(s.a, s.b)];
+        ++uses[ascending(s.a, s.b)];
     }
     for (const auto &[ends, count] : uses) {
         if (count > 1) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/hexas_on_cad.h"
 
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
 #include "nmgs_cad/edge_curve.h"
 #include "nmgs_cad/entity_locator.h"
 
@@ -21,17 +23,10 @@ using Four = std::array<std::int32_t, 4>;
 constexpr std::array<std::array<std::size_t, 4>, 6> sides{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
-Pair pair(std::int32_t a, std::int32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
 Four sorted(Four q) {
     std::sort(q.begin(), q.end());
     return q;
 }
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
-
 struct Binder {
     const CadShape &shape;
     int solid;
@@ -191,7 +186,7 @@ bool Binder::find_edges() {
     std::set<Pair> seen;
     for (const auto &q : boundary) {
         for (std::size_t i = 0; i < 4; ++i) {
-            const Pair key = pair(q[i], q[(i + 1) % 4]);
+            const Pair key = ascending(q[i], q[(i + 1) % 4]);
             const CadEntity a = on[at(key[0])];
             const CadEntity b = on[at(key[1])];
             if (!seen.insert(key).second || a.dimension > 1 || b.dimension > 1) {
@@ -287,14 +282,14 @@ bool Binder::write_faces() {
                 std::erase_if(candidates, [&](int f) { return !by.contains(f); });
             };
             narrow(faces_of(on[at(q[i])]));
-            const auto e = edge_of.find(pair(q[i], q[(i + 1) % 4]));
+            const auto e = edge_of.find(ascending(q[i], q[(i + 1) % 4]));
             if (e != edge_of.end()) {
                 narrow(faces_of_edge[e->second]);
             }
         }
         if (candidates.size() > 1) {
             for (std::size_t i = 0; i < 4; ++i) {
-                const Vec3 m = middle(pair(q[i], q[(i + 1) % 4]));
+                const Vec3 m = middle(ascending(q[i], q[(i + 1) % 4]));
                 std::erase_if(candidates, [&](int f) { return !locator.on_face(m, f); });
             }
         }
@@ -333,7 +328,7 @@ bool Binder::run() {
         const auto a = number[at(key[0])];
         const auto b = number[at(key[1])];
         if (!edge_of.contains(key)) {
-            layout.middles.emplace(pair(a, b), m);
+            layout.middles.emplace(ascending(a, b), m);
         }
     }
     for (const auto &h : mesh.hexas) {

@@ -3,6 +3,7 @@
 
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
+#include "nmgs/support/ascending.h"
 #include "nmgs_cad/cad_geometry.h"
 
 #include <BRep_Tool.hxx>
@@ -16,9 +17,6 @@ namespace {
 using Pair = std::array<std::int32_t, 2>;
 using Four = std::array<std::int32_t, 4>;
 
-Pair pair(std::int32_t a, std::int32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
 Four four(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
     Four key{a, b, c, d};
     std::sort(key.begin(), key.end());
@@ -51,15 +49,15 @@ struct Curves {
             }
             at.push_back(1);
             for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-                known[pair(points[i], points[i + 1])] = {{1, edge},
-                                                         curve.at(0.5 * (at[i] + at[i + 1]))};
+                known[ascending(points[i], points[i + 1])] = {{1, edge},
+                                                              curve.at(0.5 * (at[i] + at[i + 1]))};
             }
         }
         for (const auto &quad : layout.quads) {
             const auto &p = quad.points;
             faces[four(p[0], p[1], p[2], p[3])] = quad.face;
             for (std::size_t i = 0; i < 4; ++i) {
-                const Pair key = pair(p[i], p[(i + 1) % 4]);
+                const Pair key = ascending(p[i], p[(i + 1) % 4]);
                 if (known.contains(key)) {
                     continue;
                 }
@@ -81,7 +79,7 @@ struct Curves {
                       layout.points[static_cast<std::size_t>(key[1])]);
     }
     [[nodiscard]] Curve of(std::int32_t a, std::int32_t b, int solid) const {
-        const Pair key = pair(a, b);
+        const Pair key = ascending(a, b);
         const auto found = known.find(key);
         if (found != known.end()) {
             return found->second;
@@ -172,8 +170,7 @@ std::int32_t Layout::vertex(const CadShape &shape, int n) {
     if (found != vertices_.end()) {
         return found->second;
     }
-    const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(n));
-    return vertices_[n] = add_point({p.X(), p.Y(), p.Z()}, {0, n});
+    return vertices_[n] = add_point(shape.point(n), {0, n});
 }
 
 const std::vector<std::int32_t> &Layout::divide_edge(const CadShape &shape, int n,

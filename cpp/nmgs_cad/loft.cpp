@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/loft.h"
 
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
 #include "nmgs_cad/edge_curve.h"
 #include "nmgs_cad/face_layout.h"
 #include "nmgs_cad/face_projection.h"
@@ -17,13 +19,6 @@ namespace nmgs::cad {
 namespace {
 
 using Pair = std::array<std::int32_t, 2>;
-
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
-Pair pair(std::int32_t a, std::int32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
 
 // The affine map that takes points to others with least squares, and their plane's normal along.
 struct Affine {
@@ -129,7 +124,7 @@ void Loft::collect() {
     std::set<Pair> seen;
     for (const auto &quad : quads) {
         for (std::size_t i = 0; i < 4; ++i) {
-            const Pair key = pair(quad.points[i], quad.points[(i + 1) % 4]);
+            const Pair key = ascending(quad.points[i], quad.points[(i + 1) % 4]);
             if (seen.insert(key).second) {
                 neighbours[index[key[0]]].push_back(index[key[1]]);
                 neighbours[index[key[1]]].push_back(index[key[0]]);
@@ -261,7 +256,7 @@ void Loft::place_inside() {
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t a = index[quad.points[i]];
             const std::size_t b = index[quad.points[(i + 1) % 4]];
-            if (edge_between.contains({std::min(a, b), std::max(a, b)})) {
+            if (edge_between.contains(ascending(a, b))) {
                 rim.push_back({a, b});
             }
         }
@@ -326,7 +321,7 @@ HexaMesh Loft::mesh() {
         return static_cast<std::int32_t>(layer * count + n);
     };
     const auto middle = [&](std::int32_t a, std::int32_t b, Vec3 place) {
-        result.middles[pair(a, b)] = place;
+        result.middles[ascending(a, b)] = place;
     };
     const std::size_t last = (layers.size() - 1) / 2;
     // Upright edges: through the half layers.

@@ -3,8 +3,6 @@
 
 #include "nmgs_cad/edge_curve.h"
 
-#include <BRep_Tool.hxx>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,11 +12,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-Vec3 vertex_point(const CadShape &shape, int n) {
-    const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(n));
-    return {p.X(), p.Y(), p.Z()};
-}
 
 struct Difference { // x[high] - x[low] = length
     std::size_t low, high;
@@ -169,8 +162,7 @@ void Builder::relate_loops() {
             do {
                 const auto c = static_cast<std::size_t>(at);
                 loops.back().push_back(boundary.coedges[c].vertex);
-                const Vec3 chord =
-                    vertex_point(shape, end_of(c)) - vertex_point(shape, loops.back().back());
+                const Vec3 chord = shape.point(end_of(c)) - shape.point(loops.back().back());
                 const auto d = directions.coedge[c];
                 along[static_cast<std::size_t>(axis_of(d))] +=
                     static_cast<double>(sign_of(d)) * chord;
@@ -185,7 +177,7 @@ void Builder::relate_loops() {
             for (std::size_t l = 1; l < loops.size(); ++l) {
                 for (const int v : loops[l]) {
                     for (const int w : loops[0]) {
-                        const double d = dot(unit, vertex_point(shape, v) - vertex_point(shape, w));
+                        const double d = dot(unit, shape.point(v) - shape.point(w));
                         axes[a].soft.push_back({axes[a].plane_class[place_of(w)],
                                                 axes[a].plane_class[place_of(v)], d});
                     }

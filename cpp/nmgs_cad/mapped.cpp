@@ -2,10 +2,10 @@
 #include "nmgs_cad/mapped.h"
 
 #include "nmgs/element/hexa20.h"
+#include "nmgs/support/ascending.h"
 #include "nmgs_cad/edge_curve.h"
 #include "nmgs_cad/four_sides.h"
 
-#include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 
@@ -17,11 +17,6 @@
 namespace nmgs::cad {
 namespace {
 
-Vec3 vertex_point(const CadShape &shape, int n) {
-    const gp_Pnt p = BRep_Tool::Pnt(shape.vertex(n));
-    return {p.X(), p.Y(), p.Z()};
-}
-
 // The corners, edges and faces of a block as numbers of the shape, by part code.
 using BlockParts = std::array<int, part::count>;
 
@@ -30,10 +25,6 @@ struct SolidSides {
     // Edge between two corners, and face with two edges, of the solid.
     std::map<std::array<int, 2>, int> edge;
 };
-
-std::array<int, 2> sorted(int a, int b) {
-    return {std::min(a, b), std::max(a, b)};
-}
 
 // The block that stands on the given face with its corner 1 at the start-th corner. A solid that is
 // stored inside out needs the bottom's corners the other way round.
@@ -70,7 +61,7 @@ bool make_parts(const SolidSides &sides, int bottom, std::size_t start, bool ins
                                                                {2, 6},
                                                                {3, 7}}};
     for (std::size_t e = 0; e < 12; ++e) {
-        const auto found = sides.edge.find(sorted(corner[ends[e][0]], corner[ends[e][1]]));
+        const auto found = sides.edge.find(ascending(corner[ends[e][0]], corner[ends[e][1]]));
         if (found == sides.edge.end()) {
             return false;
         }
@@ -119,7 +110,7 @@ std::array<Vec3, 20> nodes_of(const CadShape &shape, const BlockParts &parts) {
     std::array<Vec3, 20> nodes{};
     for (std::size_t n = 0; n < 20; ++n) {
         const int index = parts[static_cast<std::size_t>(part::of_node(3, n))];
-        nodes[n] = n < 8 ? vertex_point(shape, index) : EdgeCurve(shape.edge(index)).at(0.5);
+        nodes[n] = n < 8 ? shape.point(index) : EdgeCurve(shape.edge(index)).at(0.5);
     }
     return nodes;
 }
@@ -189,7 +180,7 @@ bool fill_mapped(const CadShape &shape, int solid, Layout &layout, const LayoutO
         }
         for (std::size_t i = 0; i < 4; ++i) {
             corners.insert(four->corner[i]);
-            sides.edge[sorted(four->corner[i], four->corner[(i + 1) % 4])] = four->edge[i];
+            sides.edge[ascending(four->corner[i], four->corner[(i + 1) % 4])] = four->edge[i];
         }
         sides.of_face[face] = *four;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/midpoint.h"
 
+#include "nmgs/support/ascending.h"
 #include "nmgs_cad/face_projection.h"
 
 #include <BRepTools_WireExplorer.hxx>
@@ -120,7 +121,6 @@ bool fill_midpoint(const CadShape &shape, int solid, Layout &layout, const Layou
     // Edges at a vertex, and the face that has two edges of it.
     std::map<int, std::set<int>> edges_at;
     std::map<std::array<int, 2>, std::size_t> face_with;
-    const auto key = [](int a, int b) { return std::array{std::min(a, b), std::max(a, b)}; };
     int shells = 0;
     for (TopExp_Explorer it(shape.solid(solid), TopAbs_SHELL); it.More(); it.Next()) {
         ++shells;
@@ -139,7 +139,7 @@ bool fill_midpoint(const CadShape &shape, int solid, Layout &layout, const Layou
             const auto &sides = loops.back().sides;
             const int before = sides[(i + sides.size() - 1) % sides.size()].edge;
             edges_at[sides[i].vertex].insert({sides[i].edge, before});
-            face_with[key(sides[i].edge, before)] = loops.size() - 1;
+            face_with[ascending(sides[i].edge, before)] = loops.size() - 1;
         }
     }
     for (const auto &[vertex, edges] : edges_at) {
@@ -189,8 +189,8 @@ bool fill_midpoint(const CadShape &shape, int solid, Layout &layout, const Layou
             for (const int e : edges_at[sides[i].vertex]) {
                 c = e != a && e != b ? e : c;
             }
-            const auto ac = face_with.find(key(a, c));
-            const auto bc = face_with.find(key(b, c));
+            const auto ac = face_with.find(ascending(a, c));
+            const auto bc = face_with.find(ascending(b, c));
             if (ac == face_with.end() || bc == face_with.end()) {
                 refusal = {"the faces at " + entity_name(0, sides[i].vertex) +
                                " do not close round it",

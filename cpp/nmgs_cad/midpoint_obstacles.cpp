@@ -5,7 +5,6 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
-#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <gp_Pln.hxx>
 
@@ -49,8 +48,7 @@ bool awkward(const CadShape &cad, const SolidBoundary &boundary, std::size_t fac
         curve.D2(0.5 * (curve.FirstParameter() + curve.LastParameter()), p, t, bend);
         middles.push_back({p.X(), p.Y(), p.Z()});
         centre += middles.back();
-        const gp_Pnt v = BRep_Tool::Pnt(cad.vertex(c.vertex));
-        corners.push_back({v.X(), v.Y(), v.Z()});
+        corners.push_back(cad.point(c.vertex));
         const Vec3 along = (c.forward ? 1.0 : -1.0) * Vec3{t.X(), t.Y(), t.Z()};
         if (dot(Vec3{bend.X(), bend.Y(), bend.Z()}, cross(normal, along)) < -1e-9 * norm2(along)) {
             inward.push_back(c);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/primitive.h"
 
+#include "nmgs/support/ascending.h"
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/fill_finer.h"
+#include "nmgs_cad/occt_vec.h"
 #include "nmgs_cad/profile_core.h"
 #include "nmgs_cad/revolution_axis.h"
 #include "nmgs_cad/section.h"
@@ -38,10 +40,6 @@ namespace nmgs::cad {
 namespace {
 
 constexpr double full = 2 * std::numbers::pi;
-
-gp_Pnt pnt(Vec3 p) {
-    return {p.x, p.y, p.z};
-}
 
 // Where the layout's half-planes stand: through all the given angles, `least` in number or more, an
 // even number between two given ones if `even`.
@@ -256,9 +254,6 @@ void Turned::fill_core(std::size_t c, const Layout &flat, Carried &carried) cons
     const auto ring = [&](std::size_t i, std::size_t k) {
         return carried.points[k % around][static_cast<std::size_t>(rim[i])];
     };
-    const auto key = [](std::int32_t a, std::int32_t b) {
-        return std::array<std::int32_t, 2>{std::min(a, b), std::max(a, b)};
-    };
     for (std::size_t i = 0; i < rim.size(); ++i) {
         const bool end = i == 0 || i + 1 == rim.size();
         // On a curved end the chords between the half-planes are lifted onto it.
@@ -313,11 +308,11 @@ void Turned::fill_core(std::size_t c, const Layout &flat, Carried &carried) cons
             const auto b = ring(i, k + 1);
             const Vec3 pa = mesh.points[static_cast<std::size_t>(a)];
             const Vec3 pb = mesh.points[static_cast<std::size_t>(b)];
-            mesh.middles.erase(key(a, b));
+            mesh.middles.erase(ascending(a, b));
             if (end) {
-                mesh.middles[key(a, b)] = on_end(0.5 * (pa + pb));
+                mesh.middles[ascending(a, b)] = on_end(0.5 * (pa + pb));
                 if (k % 2 == 0) {
-                    mesh.middles[key(centre[i], a)] = on_end(0.5 * (axis_points[i] + pa));
+                    mesh.middles[ascending(centre[i], a)] = on_end(0.5 * (axis_points[i] + pa));
                 }
             }
         }

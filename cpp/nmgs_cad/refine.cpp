@@ -287,6 +287,17 @@ std::vector<char> chains_to_split(const BlockModel &model, const Chains &chains,
 
 } // namespace
 
+void measure_report(const CadShape &shape, CadBlocks &blocks) {
+    for (FitEntry &entry : blocks.report) {
+        if (!entry.method.empty()) {
+            const FitError error =
+                measure(shape, blocks, entry.first_block, entry.first_block + entry.blocks);
+            entry.error = error.distance;
+            entry.place = error.place;
+        }
+    }
+}
+
 CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double tolerance,
                               int max_rounds, const Progress &progress, std::size_t most_blocks) {
     const bool solid = blocks.model.dimension == 3;
@@ -320,14 +331,7 @@ CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double to
         }
         blocks = split_blocks(shape, blocks, pieces, listener);
     }
-    for (FitEntry &entry : blocks.report) {
-        if (!entry.method.empty()) {
-            const FitError error =
-                measure(shape, blocks, entry.first_block, entry.first_block + entry.blocks);
-            entry.error = error.distance;
-            entry.place = error.place;
-        }
-    }
+    measure_report(shape, blocks);
     return blocks;
 }
 

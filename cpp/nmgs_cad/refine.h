@@ -32,4 +32,7 @@ struct FitError {
 FitError measure(const CadShape &shape, const CadBlocks &blocks, std::int32_t first,
                  std::int32_t last);
 
+// Measures each entry of the report that has blocks, and writes error and place into it.
+void measure_report(const CadShape &shape, CadBlocks &blocks);
+
 } // namespace nmgs::cad

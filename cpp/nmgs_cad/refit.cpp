@@ -9,7 +9,6 @@
 #include "nmgs_cad/face_projection.h"
 #include "nmgs_cad/refine.h"
 
-#include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 
 #include <algorithm>
@@ -176,8 +175,7 @@ CadBlocks refit(const CadShape &before, const CadShape &after, const CadBlocks &
     for (std::size_t n = 0; n < graph.points.size(); ++n) {
         const CadEntity &entity = graph.on[n];
         if (entity.dimension == 0) {
-            const gp_Pnt p = BRep_Tool::Pnt(after.vertex(entity.index));
-            move[n] = Vec3{p.X(), p.Y(), p.Z()} - graph.points[n];
+            move[n] = after.point(entity.index) - graph.points[n];
         } else if (entity.dimension == 1) {
             of_edge[entity.index].push_back(n);
         } else if (entity.dimension == 2) {
@@ -214,14 +212,7 @@ CadBlocks refit(const CadShape &before, const CadShape &after, const CadBlocks &
         result.model.nodes[n] = graph.points[id] + move[id];
     }
     poll(progress, 0.8);
-    for (FitEntry &entry : result.report) {
-        if (!entry.method.empty()) {
-            const FitError error =
-                measure(after, result, entry.first_block, entry.first_block + entry.blocks);
-            entry.error = error.distance;
-            entry.place = error.place;
-        }
-    }
+    measure_report(after, result);
     return result;
 }
 

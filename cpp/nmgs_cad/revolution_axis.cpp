@@ -3,6 +3,7 @@
 
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/face_normals.h"
+#include "nmgs_cad/occt_vec.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -24,10 +25,6 @@ namespace nmgs::cad {
 namespace {
 
 constexpr double angular = 1e-4;
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 struct Axes {
     double tolerance;

@@ -3,6 +3,7 @@
 
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/face_normals.h"
+#include "nmgs_cad/occt_vec.h"
 #include "nmgs_cad/section_neighbours.h"
 
 #include <BOPTools_AlgoTools3D.hxx>
@@ -25,10 +26,6 @@ namespace nmgs::cad {
 namespace {
 
 constexpr double angular = 1e-4; // sine of the angle by which real CAD is off
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 // Where a solid's faces and edges stand along a direction.
 struct Prism {

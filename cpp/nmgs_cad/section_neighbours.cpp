@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/section_neighbours.h"
 
+#include "nmgs/support/at.h"
 #include "nmgs_cad/edge_curve.h"
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/face_normals.h"
@@ -14,10 +15,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
 
 // Of the solid, those that are laid out.
 std::vector<int> laid_edges(const CadShape &shape, int solid, const Layout &layout) {

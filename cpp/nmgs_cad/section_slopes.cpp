@@ -3,6 +3,7 @@
 
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/face_normals.h"
+#include "nmgs_cad/occt_vec.h"
 
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepAdaptor_Curve.hxx>
@@ -39,10 +40,6 @@ namespace {
 
 constexpr double angular = 1e-4;
 constexpr double steepest = 0.15; // cosine of the angle between a cap's normal and the sweep
-
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 struct Cap {
     int face = 0;

@@ -2,6 +2,7 @@
 #include "nmgs_cad/skin.h"
 
 #include "nmgs/plc/check.h"
+#include "nmgs/support/at.h"
 #include "nmgs/support/box_tree.h"
 #include "nmgs_cad/skin_mesh.h"
 #include "nmgs_cad/skin_start.h"
@@ -14,10 +15,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
 
 std::array<Vec3, 3> corners(const SkinMesh &mesh, const SkinMesh::Triangle &t) {
     return {mesh.points[at(t.p[0])].p, mesh.points[at(t.p[1])].p, mesh.points[at(t.p[2])].p};

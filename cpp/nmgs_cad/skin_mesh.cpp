@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/skin_mesh.h"
 
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
+#include "nmgs/support/vec3.h"
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -20,19 +25,6 @@ namespace nmgs::cad {
 namespace {
 
 using Pair = std::array<std::int32_t, 2>;
-
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
-Pair pair(std::int32_t a, std::int32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
-Vec3 vec(const gp_XYZ &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
-double angle_between(Vec3 a, Vec3 b) {
-    return std::atan2(norm(cross(a, b)), dot(a, b));
-}
 
 std::uint64_t key_of(std::int32_t a, std::int32_t b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32U |
@@ -106,14 +98,14 @@ void SkinMesh::add_triangle(std::array<std::int32_t, 3> p, std::int32_t face) {
 }
 
 void SkinMesh::add_segment(std::int32_t a, std::int32_t b, std::int32_t edge) {
-    segments_[pair(a, b)] = edge;
+    segments_[ascending(a, b)] = edge;
 }
 
 std::int32_t SkinMesh::segment(std::int32_t a, std::int32_t b) const {
     if (points[at(a)].on.dimension == 2 || points[at(b)].on.dimension == 2) {
         return 0;
     }
-    const auto found = segments_.find(pair(a, b));
+    const auto found = segments_.find(ascending(a, b));
     return found == segments_.end() ? 0 : found->second;
 }
 
@@ -345,7 +337,7 @@ std::vector<std::array<std::int32_t, 3>> SkinMesh::edges() const {
     found.reserve(3 * triangles.size());
     for (const Triangle &triangle : triangles) {
         for (std::size_t i = 0; i < 3 && triangle.face != 0; ++i) {
-            const Pair key = pair(triangle.p[i], triangle.p[(i + 1) % 3]);
+            const Pair key = ascending(triangle.p[i], triangle.p[(i + 1) % 3]);
             found.push_back({key[0], key[1], triangle.face});
         }
     }
@@ -430,7 +422,7 @@ bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool for
         add_triangle(p, triangles[at(t)].face);
     }
     if (edge != 0) {
-        segments_.erase(pair(a, b));
+        segments_.erase(ascending(a, b));
         add_segment(a, n, edge);
         add_segment(n, b, edge);
         for (const std::int32_t end : {m.previous, m.next}) {
@@ -536,7 +528,7 @@ bool SkinMesh::collapse(std::int32_t from, std::int32_t to, bool force) {
         const bool too_long = length(to, beyond, 0) > long_edge;
         points[at(to)] = saved_to;
         points[at(beyond)] = saved_beyond;
-        segments_.erase(pair(to, beyond));
+        segments_.erase(ascending(to, beyond));
         if (too_long) {
             return false;
         }
@@ -551,8 +543,8 @@ bool SkinMesh::collapse(std::int32_t from, std::int32_t to, bool force) {
         }
     }
     if (beyond >= 0) {
-        segments_.erase(pair(from, to));
-        segments_.erase(pair(from, beyond));
+        segments_.erase(ascending(from, to));
+        segments_.erase(ascending(from, beyond));
         add_segment(to, beyond, edge);
         const bool back = gone.previous == to;
         if (points[at(to)].on.dimension == 1) {
@@ -661,7 +653,7 @@ void SkinMesh::split_long() {
             for (const std::int32_t t : around[n]) {
                 const auto &p = triangles[at(t)].p;
                 for (std::size_t i = 0; i < 3; ++i) {
-                    fresh.insert(pair(p[i], p[(i + 1) % 3]));
+                    fresh.insert(ascending(p[i], p[(i + 1) % 3]));
                 }
             }
         }
@@ -727,7 +719,7 @@ void SkinMesh::flip(std::vector<std::array<std::int32_t, 2>> work) {
             }
             for (std::size_t t = count; t < triangles.size(); ++t) {
                 for (std::size_t i = 0; i < 3; ++i) {
-                    after.insert(pair(triangles[t].p[i], triangles[t].p[(i + 1) % 3]));
+                    after.insert(ascending(triangles[t].p[i], triangles[t].p[(i + 1) % 3]));
                 }
             }
         }
@@ -922,7 +914,7 @@ void SkinMesh::part_twins() {
     std::map<Pair, std::set<std::int32_t>> faces;
     for (const Triangle &t : triangles) {
         for (std::size_t i = 0; i < 3 && t.face != 0; ++i) {
-            faces[pair(t.p[i], t.p[(i + 1) % 3])].insert(t.face);
+            faces[ascending(t.p[i], t.p[(i + 1) % 3])].insert(t.face);
         }
     }
     for (const auto &[ends, on] : faces) {

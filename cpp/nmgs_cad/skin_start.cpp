@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/skin_start.h"
 
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
 #include "nmgs/support/error.h"
+#include "nmgs_cad/occt_vec.h"
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
@@ -24,13 +27,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
-Vec3 vec(const gp_Pnt &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 // A face's triangulation with nodes of its own: both sides of a seam, each place of a pole.
 struct Patch {
@@ -250,7 +246,7 @@ void Start::mend() {
             halve(e, longest);
         }
         if (t.size() == 2) {
-            const auto [other, fresh] = single.try_emplace({std::min(a, b), std::max(a, b)}, e);
+            const auto [other, fresh] = single.try_emplace(ascending(a, b), e);
             if (!fresh) {
                 // Either may be straight; both get a point.
                 halve(e, 0);

@@ -6,8 +6,6 @@
 #include "nmgs/support/parallel.h"
 #include "nmgs_cad/cad_geometry.h"
 
-#include <BRep_Tool.hxx>
-
 #include <algorithm>
 #include <cmath>
 
@@ -94,8 +92,7 @@ void Snapper::corner(std::size_t block, int code, CadGeometry &geometry) {
     }
     Vec3 &p = points[id(block, origin(block, code))];
     if (on[0].dimension == 0) {
-        const gp_Pnt vertex = BRep_Tool::Pnt(shape.vertex(on[0].index));
-        p = {vertex.X(), vertex.Y(), vertex.Z()};
+        p = shape.point(on[0].index);
     } else if (on[0].dimension == 1) {
         const EdgeCurve &curve = geometry.curve(on[0].index);
         p = curve.at(curve.fraction(p));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/solid_boundary.h"
 
+#include "nmgs/support/vec3.h"
+#include "nmgs_cad/occt_vec.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools_WireExplorer.hxx>
@@ -19,14 +22,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-Vec3 vec(const gp_Vec &v) {
-    return {v.X(), v.Y(), v.Z()};
-}
-Vec3 unit(Vec3 v) {
-    const double n = norm(v);
-    return n > 0 ? (1 / n) * v : v;
-}
 
 // The oriented edge of each coedge, and the oriented face of each face.
 struct Geometry {

@@ -10,9 +10,7 @@
 #include "nmgs_cad/submap.h"
 #include "nmgs_cad/sweep.h"
 
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
@@ -33,12 +31,6 @@ constexpr SolidStrategy strategies[] = {
 
 // More than the volume of a coarse mesh of a round solid may be wrong by.
 constexpr double volume_error = 0.1;
-
-double volume_of(const CadShape &shape, int solid) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape.solid(solid), properties);
-    return std::abs(properties.Mass());
-}
 
 // Vertices, edges and faces of the solid that the layout has nothing on: what lies embedded in a
 // face or in the solid, for example, where a strategy looks at boundaries only.
@@ -136,7 +128,7 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         }
         filling.quality = layout_quality(shape, filling.layout, layout.hexas.size());
-        const double volume = volume_of(shape, solid);
+        const double volume = std::abs(volume_of(shape.solid(solid)));
         if (filling.quality.worst <= 0) {
             refuse({"its blocks would be folded", {entity_name(3, solid)}});
             continue;
@@ -189,6 +181,7 @@ std::vector<std::vector<int>> joined(const CadShape &shape, std::span<const int>
         groups[find(s)].push_back(solids[s]);
     }
     std::vector<std::vector<int>> result;
+    result.reserve(groups.size());
     for (auto &[first, group] : groups) {
         result.push_back(std::move(group));
     }

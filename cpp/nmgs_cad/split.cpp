@@ -2,15 +2,15 @@
 #include "nmgs_cad/split.h"
 
 #include "nmgs/element/hexa20.h"
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
 #include "nmgs_cad/edge_curve.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Splitter.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -26,16 +26,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-std::size_t at(int n) {
-    return static_cast<std::size_t>(n);
-}
-
-double volume_of(const TopoDS_Shape &shape) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
 
 // What the entity has become: its images, itself where it is unchanged.
 TopTools_ListOfShape images(BRepAlgoAPI_BuilderAlgo &algorithm, const TopoDS_Shape &entity) {
@@ -374,13 +364,10 @@ bool join(const CadShape &shape, const Pieces &pieces, const Layout &of_pieces, 
     }
 
     std::set<std::array<std::int32_t, 2>> on_edges;
-    const auto key = [](std::int32_t a, std::int32_t b) {
-        return std::array{std::min(a, b), std::max(a, b)};
-    };
     for (const auto &[edge, sequence] : edges) {
         const auto &points = layout.edges[at(edge)];
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            on_edges.insert(key(points[i], points[i + 1]));
+            on_edges.insert(ascending(points[i], points[i + 1]));
         }
     }
     const CadBlocks blocks = blocks_of(cad, of_pieces, 3);
@@ -406,7 +393,7 @@ bool join(const CadShape &shape, const Pieces &pieces, const Layout &of_pieces, 
                     ends[count++] = c;
                 }
             }
-            const auto pair = key(mine.points[ends[0]], mine.points[ends[1]]);
+            const auto pair = ascending(mine.points[ends[0]], mine.points[ends[1]]);
             const Vec3 a = nodes[ends[0]];
             const Vec3 z = nodes[ends[1]];
             if (!on_edges.contains(pair) &&

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs/support/ascending.h"
 #include "nmgs_cad/section.h"
 #include "nmgs_cad/section_layout.h"
 #include "nmgs_cad/section_neighbours.h"
@@ -62,7 +63,7 @@ struct Carrier {
         const Vec3 pa = mesh.points[static_cast<std::size_t>(a)];
         const Vec3 pb = mesh.points[static_cast<std::size_t>(b)];
         if (distance(0.5 * (pa + pb), place) > 1e-9 * distance(pa, pb)) {
-            mesh.middles[{std::min(a, b), std::max(a, b)}] = place;
+            mesh.middles[ascending(a, b)] = place;
         }
     }
     void carry(const Layout::Quad &quad, std::size_t k) {
@@ -74,7 +75,7 @@ struct Carrier {
         for (std::size_t i = 0; i < 4; ++i) {
             const auto a = quad.points[i];
             const auto b = quad.points[(i + 1) % 4];
-            const Pair key{std::min(a, b), std::max(a, b)};
+            const Pair key = ascending(a, b);
             const Vec3 m = flat_middles.at(key);
             const auto *faces = section.height ? &faces_of_edge.at(key) : nullptr;
             middle(hexa[i], hexa[(i + 1) % 4], lift(m, faces, k));
@@ -98,7 +99,7 @@ std::map<Pair, Vec3> middles_of(const CadShape &cad, const Layout &flat) {
         for (std::size_t i = 0; i < 4; ++i) {
             const auto a = p[i];
             const auto b = p[(i + 1) % 4];
-            result[{std::min(a, b), std::max(a, b)}] = patches.model.nodes[8 * q + 4 + i];
+            result[ascending(a, b)] = patches.model.nodes[8 * q + 4 + i];
         }
     }
     return result;
@@ -124,7 +125,7 @@ Carried carry_section(const Section &section, const Layout &flat) {
                 const auto a = quad.points[i];
                 const auto b = quad.points[(i + 1) % 4];
                 carrier.faces_of_point[a].insert(quad.face);
-                carrier.faces_of_edge[{std::min(a, b), std::max(a, b)}].insert(quad.face);
+                carrier.faces_of_edge[ascending(a, b)].insert(quad.face);
             }
         }
     }

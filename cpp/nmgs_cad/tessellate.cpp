@@ -3,6 +3,7 @@
 
 #include "nmgs/support/error.h"
 #include "nmgs_cad/inner_points.h"
+#include "nmgs_cad/occt_vec.h"
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
@@ -18,10 +19,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-Vec3 vec(const gp_Pnt &p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 struct Gatherer {
     const CadShape &shape;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/tets_to_hexas.h"
 
+#include "nmgs/support/ascending.h"
+#include "nmgs/support/at.h"
 #include "nmgs_cad/cad_tets.h"
 
 #include <algorithm>
@@ -11,10 +13,6 @@
 
 namespace nmgs::cad {
 namespace {
-
-std::size_t at(std::int32_t n) {
-    return static_cast<std::size_t>(n);
-}
 
 // For each corner of a tetrahedron the three others, right-handed.
 constexpr std::array<std::array<std::size_t, 3>, 4> others{
@@ -218,7 +216,7 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     std::map<std::array<std::int32_t, 2>, std::int32_t> of_edge;
     std::map<std::array<std::int32_t, 3>, std::int32_t> of_face;
     const auto middle = [&](std::int32_t a, std::int32_t b, int solid) {
-        const auto [known, fresh] = of_edge.try_emplace({std::min(a, b), std::max(a, b)}, 0);
+        const auto [known, fresh] = of_edge.try_emplace(ascending(a, b), 0);
         if (fresh) {
             auto m = mesh.middle(a, b);
             if (m.on.dimension == 3) {

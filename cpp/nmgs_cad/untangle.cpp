@@ -3,7 +3,9 @@
 
 #include "nmgs/quality/surface_metrics.h"
 #include "nmgs/quality/volume_metrics.h"
+#include "nmgs/support/ascending.h"
 #include "nmgs/support/parallel.h"
+#include "nmgs/support/vec3.h"
 #include "nmgs_cad/cad_geometry.h"
 
 #include <algorithm>
@@ -14,11 +16,6 @@ namespace {
 
 using Hexa = std::array<std::int32_t, 8>;
 using Quad = std::array<std::int32_t, 4>;
-
-Vec3 unit(Vec3 v) {
-    const double n = norm(v);
-    return n > 0 ? (1 / n) * v : Vec3{0, 0, 0};
-}
 
 // Nodes that slide on the CAD's edges and faces.
 class CadSlides final : public NodeSlides {
@@ -310,7 +307,7 @@ double improve(const CadShape &shape, Layout &layout, const UntangleOptions &opt
         for (std::size_t i = 0; i < 4; ++i) {
             const std::int32_t a = quad.points[i];
             const std::int32_t b = quad.points[(i + 1) % 4];
-            const auto found = layout.middles.find({std::min(a, b), std::max(a, b)});
+            const auto found = layout.middles.find(ascending(a, b));
             if (found != layout.middles.end() && (!(layout.points[static_cast<std::size_t>(a)] ==
                                                     before[static_cast<std::size_t>(a)]) ||
                                                   !(layout.points[static_cast<std::size_t>(b)] ==

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/quality/surface_metrics.h"
 
+#include "nmgs/support/vec3.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,11 +23,6 @@ double angle(Vec3 a, Vec3 b) {
 
 double ratio(double numerator, double denominator, double otherwise) {
     return denominator > 0 ? numerator / denominator : otherwise;
-}
-
-Vec3 unit(Vec3 a) {
-    const double length = norm(a);
-    return length > 0 ? (1 / length) * a : Vec3{0, 0, 0};
 }
 
 struct Sides {

@@ -49,6 +49,15 @@ inline double norm(Vec3 a) {
 inline double distance(Vec3 a, Vec3 b) {
     return norm(a - b);
 }
+// Of length 1; a vector of length 0 stays as it is.
+inline Vec3 unit(Vec3 a) {
+    const double length = norm(a);
+    return length > 0 ? (1 / length) * a : a;
+}
+// In [0, pi], in radians.
+inline double angle_between(Vec3 a, Vec3 b) {
+    return std::atan2(norm(cross(a, b)), dot(a, b));
+}
 inline bool is_finite(Vec3 a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
