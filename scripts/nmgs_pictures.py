@@ -10,6 +10,7 @@ import traceback
 
 import FreeCAD
 import FreeCADGui
+import Part
 from PySide import QtCore, QtGui
 
 from freecad.NMGSWorkbench import gallery
@@ -95,6 +96,23 @@ def examples():
         FreeCAD.closeDocument(document.Name)
 
 
+def cuts():
+    document = FreeCAD.newDocument("Cuts")
+    shape = Part.makeBox(60, 40, 10).fuse(Part.makeBox(10, 40, 50)).removeSplitter()
+    part = document.addObject("Part::Feature", "Bracket")
+    part.Shape = shape.cut(Part.makeCylinder(8, 30, FreeCAD.Vector(38, 20, -5)))
+    document.recompute()
+    look()
+    pick(part)
+    run("NMGS_CutSolids")
+    table = child(QtGui.QTableWidget, "cuts")
+    table.setCurrentCell(0, 0)
+    table.item(0, 0).setCheckState(QtCore.Qt.Checked)
+    save_window("cuts")
+    close_panel()
+    FreeCAD.closeDocument(document.Name)
+
+
 def panels():
     FreeCAD.newDocument("Guide")
     run("NMGS_ShapeLibrary")
@@ -116,6 +134,9 @@ def panels():
     blocks.ViewObject.Proxy.doubleClicked(blocks.ViewObject)
     save_window("fit")
     close_panel()
+    cuts()
+    FreeCAD.setActiveDocument(document.Name)
+    FreeCADGui.setActiveDocument(document.Name)
     pick(blocks)
     run("NMGS_Divisions")
     child(QtGui.QTableWidget, "chains").setCurrentCell(2, 0)

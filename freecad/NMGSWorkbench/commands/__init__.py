@@ -9,6 +9,7 @@ import FreeCADGui
 
 from ..taskpanels import progress
 from .about import About
+from .cut_solids import CutSolids
 from .divisions import Divisions
 from .examples import Examples
 from .export import Export
@@ -28,6 +29,7 @@ from .update import Update
 COMMANDS = {
     "NMGS_FitPatches": FitPatches,
     "NMGS_FitBlocks": FitBlocks,
+    "NMGS_CutSolids": CutSolids,
     "NMGS_ShapeLibrary": ShapeLibrary,
     "NMGS_NodeTable": NodeTable,
     "NMGS_Divisions": Divisions,

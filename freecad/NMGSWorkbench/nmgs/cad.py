@@ -47,8 +47,8 @@ def fit(
     if tolerance is not None and not tolerance > 0:
         raise ValueError(f"tolerance: expected a length above 0, got {tolerance!r}")
     part = as_shape(shape)
-    dimension, indices = _picked(part, entities)
-    _check_valid(part, dimension, indices)
+    dimension, indices = picked(part, entities)
+    check_valid(part, dimension, indices)
     kernel = _kernel.cad()
     cad_shape = kernel.CadShape(brep_bytes(part))
     accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
@@ -239,7 +239,7 @@ def brep_bytes(shape: Any) -> bytes:
     return shape.exportBrepToString().encode("ascii")
 
 
-def _picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int]]:
+def picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int]]:
     counts = {"Solid": len(shape.Solids), "Face": len(shape.Faces)}
     if entities is None:
         kind = "Solid" if counts["Solid"] else "Face"
@@ -264,7 +264,7 @@ def _picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[in
     return (3 if kinds == {"Solid"} else 2), indices
 
 
-def _check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
+def check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
     parts = shape.Solids if dimension == 3 else shape.Faces
     kind = "Solid" if dimension == 3 else "Face"
     bad = [f"{kind}{n}" for n in indices if not parts[n - 1].isValid()]

@@ -73,6 +73,22 @@
         <translation>Bericht der Anpassung als JSON, eine Zeile je Fläche oder Körper</translation>
     </message>
     <message>
+        <source>Solids that are cut</source>
+        <translation>Volumenkörper, die zerschnitten werden</translation>
+    </message>
+    <message>
+        <source>Faces and planes that cut; planes and round faces go through the whole solid</source>
+        <translation>Flächen und Ebenen, die schneiden; ebene und runde Flächen gehen durch den ganzen Körper</translation>
+    </message>
+    <message>
+        <source>Planes and cylinders that cut, one a line, as JSON</source>
+        <translation>Ebenen und Zylinder, die schneiden, je Zeile einer, als JSON</translation>
+    </message>
+    <message>
+        <source>Number of pieces</source>
+        <translation>Anzahl der Stücke</translation>
+    </message>
+    <message>
         <source>File that the mesh was read from</source>
         <translation>Datei, aus der das Netz gelesen wurde</translation>
     </message>
@@ -256,6 +272,10 @@
         <translation>Blöcke werden angepasst</translation>
     </message>
     <message>
+        <source>Cutting solids</source>
+        <translation>Körper werden zerschnitten</translation>
+    </message>
+    <message>
         <source>Handing the mesh over</source>
         <translation>Das Netz wird übergeben</translation>
     </message>
@@ -304,6 +324,10 @@
         <translation>{blocks} Blöcke</translation>
     </message>
     <message>
+        <source>A click on a row picks what stands in the way of structured blocks.</source>
+        <translation>Ein Klick auf eine Zeile wählt aus, was strukturierten Blöcken im Weg steht.</translation>
+    </message>
+    <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
     </message>
@@ -314,6 +338,38 @@
     <message>
         <source>Divisions of element {element} along {axis}: expected a whole number, got {text!r}</source>
         <translation>Teilungen von Element {element} entlang {axis}: ganze Zahl erwartet, {text!r} erhalten</translation>
+    </message>
+    <message>
+        <source>Cut solids</source>
+        <translation>Körper zerschneiden</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>{count} pieces.</source>
+        <translation>{count} Stücke.</translation>
+    </message>
+    <message>
+        <source>Nothing stands in the way of blocks.</source>
+        <translation>Blöcken steht nichts im Weg.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Resolves</source>
+        <translation>Behebt</translation>
+    </message>
+    <message>
+        <source>Pick faces or planes in the view first.</source>
+        <translation>Zuerst in der Ansicht Flächen oder Ebenen auswählen.</translation>
+    </message>
+    <message>
+        <source>Check a cut, or pick faces and add them.</source>
+        <translation>Einen Schnitt ankreuzen, oder Flächen auswählen und hinzufügen.</translation>
     </message>
     <message>
         <source>uniform</source>
@@ -608,6 +664,17 @@
     </message>
 </context>
 <context>
+    <name>NMGS_CutSolids</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Körper zerschneiden</translation>
+    </message>
+    <message>
+        <source>Cut picked solids into pieces that blocks fill: by the faces and planes picked with them, or where it is proposed</source>
+        <translation>Zerschneidet ausgewählte Körper in Stücke, die Blöcke füllen: mit den dazu ausgewählten Flächen und Ebenen, oder wo es vorgeschlagen wird</translation>
+    </message>
+</context>
+<context>
     <name>NMGS_Divisions</name>
     <message>
         <source>Divisions and grading</source>
@@ -804,12 +871,43 @@
         <translation>Ein Klick wählt die Fläche oder den Körper in der Ansicht</translation>
     </message>
     <message>
+        <source>Cut the solids...</source>
+        <translation>Körper zerschneiden ...</translation>
+    </message>
+    <message>
+        <source>Takes these options, then proposes cuts into pieces that structured blocks fill</source>
+        <translation>Übernimmt diese Einstellungen und schlägt dann Schnitte in Stücke vor, die strukturierte Blöcke füllen</translation>
+    </message>
+    <message>
         <source>Divisions follow the element size</source>
         <translation>Teilungen folgen der Elementgröße</translation>
     </message>
     <message>
         <source>Number of elements along each direction of each block</source>
         <translation>Anzahl der Elemente entlang jeder Richtung jedes Blocks</translation>
+    </message>
+</context>
+<context>
+    <name>cuts</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Körper zerschneiden</translation>
+    </message>
+    <message>
+        <source>Checked rows cut. Choose a row to see where. What is proposed goes through edges that stand in the way of blocks.</source>
+        <translation>Angekreuzte Zeilen schneiden. Eine gewählte Zeile zeigt, wo. Die Vorschläge gehen durch Kanten, die Blöcken im Weg stehen.</translation>
+    </message>
+    <message>
+        <source>Cuts, and how many of the edges and vertices in the way lie on each</source>
+        <translation>Schnitte, und wie viele der Kanten und Eckpunkte im Weg auf jedem liegen</translation>
+    </message>
+    <message>
+        <source>Add picked faces</source>
+        <translation>Ausgewählte Flächen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Faces and planes that are picked in the view cut as well; planes and round faces go through the whole solid</source>
+        <translation>In der Ansicht ausgewählte Flächen und Ebenen schneiden auch; ebene und runde Flächen gehen durch den ganzen Körper</translation>
     </message>
 </context>
 <context>

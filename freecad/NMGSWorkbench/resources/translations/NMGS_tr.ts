@@ -73,6 +73,22 @@
         <translation>Oturtma raporu JSON olarak, her yüz veya katı için bir satır</translation>
     </message>
     <message>
+        <source>Solids that are cut</source>
+        <translation>Kesilen katılar</translation>
+    </message>
+    <message>
+        <source>Faces and planes that cut; planes and round faces go through the whole solid</source>
+        <translation>Kesen yüzeyler ve düzlemler; düz ve yuvarlak yüzeyler katının tamamından geçer</translation>
+    </message>
+    <message>
+        <source>Planes and cylinders that cut, one a line, as JSON</source>
+        <translation>Kesen düzlemler ve silindirler, her satırda bir tane, JSON olarak</translation>
+    </message>
+    <message>
+        <source>Number of pieces</source>
+        <translation>Parça sayısı</translation>
+    </message>
+    <message>
         <source>File that the mesh was read from</source>
         <translation>Ağın okunduğu dosya</translation>
     </message>
@@ -256,6 +272,10 @@
         <translation>Bloklar oturtuluyor</translation>
     </message>
     <message>
+        <source>Cutting solids</source>
+        <translation>Katılar kesiliyor</translation>
+    </message>
+    <message>
         <source>Handing the mesh over</source>
         <translation>Ağ aktarılıyor</translation>
     </message>
@@ -304,6 +324,10 @@
         <translation>{blocks} blok</translation>
     </message>
     <message>
+        <source>A click on a row picks what stands in the way of structured blocks.</source>
+        <translation>Bir satıra tıklamak, yapılandırılmış blokların önündeki engelleri seçer.</translation>
+    </message>
+    <message>
         <source>left out</source>
         <translation>dışarıda kaldı</translation>
     </message>
@@ -314,6 +338,38 @@
     <message>
         <source>Divisions of element {element} along {axis}: expected a whole number, got {text!r}</source>
         <translation>{element}. elemanın {axis} boyunca bölünmeleri: tam sayı beklendi, {text!r} bulundu</translation>
+    </message>
+    <message>
+        <source>Cut solids</source>
+        <translation>Katıları kes</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>düzlem</translation>
+    </message>
+    <message>
+        <source>{count} pieces.</source>
+        <translation>{count} parça.</translation>
+    </message>
+    <message>
+        <source>Nothing stands in the way of blocks.</source>
+        <translation>Blokların önünde engel yok.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Kesim</translation>
+    </message>
+    <message>
+        <source>Resolves</source>
+        <translation>Giderir</translation>
+    </message>
+    <message>
+        <source>Pick faces or planes in the view first.</source>
+        <translation>Önce görünümde yüzey veya düzlem seçin.</translation>
+    </message>
+    <message>
+        <source>Check a cut, or pick faces and add them.</source>
+        <translation>Bir kesim işaretleyin ya da yüzey seçip ekleyin.</translation>
     </message>
     <message>
         <source>uniform</source>
@@ -608,6 +664,17 @@
     </message>
 </context>
 <context>
+    <name>NMGS_CutSolids</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Katıları kes</translation>
+    </message>
+    <message>
+        <source>Cut picked solids into pieces that blocks fill: by the faces and planes picked with them, or where it is proposed</source>
+        <translation>Seçilen katıları blokların dolduracağı parçalara keser: birlikte seçilen yüzey ve düzlemlerle ya da önerilen yerlerden</translation>
+    </message>
+</context>
+<context>
     <name>NMGS_Divisions</name>
     <message>
         <source>Divisions and grading</source>
@@ -804,12 +871,43 @@
         <translation>Tıklamak yüzü veya katıyı görünümde seçer</translation>
     </message>
     <message>
+        <source>Cut the solids...</source>
+        <translation>Katıları kes...</translation>
+    </message>
+    <message>
+        <source>Takes these options, then proposes cuts into pieces that structured blocks fill</source>
+        <translation>Bu seçenekleri alır, ardından yapılandırılmış blokların dolduracağı parçalara kesimler önerir</translation>
+    </message>
+    <message>
         <source>Divisions follow the element size</source>
         <translation>Bölünmeler eleman boyuna uyar</translation>
     </message>
     <message>
         <source>Number of elements along each direction of each block</source>
         <translation>Her bloğun her yönündeki eleman sayısı</translation>
+    </message>
+</context>
+<context>
+    <name>cuts</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Katıları kes</translation>
+    </message>
+    <message>
+        <source>Checked rows cut. Choose a row to see where. What is proposed goes through edges that stand in the way of blocks.</source>
+        <translation>İşaretli satırlar keser. Yerini görmek için bir satır seçin. Öneriler, blokların önünde engel olan kenarlardan geçer.</translation>
+    </message>
+    <message>
+        <source>Cuts, and how many of the edges and vertices in the way lie on each</source>
+        <translation>Kesimler ve engel olan kenar ve köşelerin kaçının her birinin üzerinde olduğu</translation>
+    </message>
+    <message>
+        <source>Add picked faces</source>
+        <translation>Seçilen yüzeyleri ekle</translation>
+    </message>
+    <message>
+        <source>Faces and planes that are picked in the view cut as well; planes and round faces go through the whole solid</source>
+        <translation>Görünümde seçilen yüzey ve düzlemler de keser; düz ve yuvarlak yüzeyler katının tamamından geçer</translation>
     </message>
 </context>
 <context>
