@@ -9,6 +9,7 @@ import FreeCADGui
 
 from ..taskpanels import progress
 from .about import About
+from .analysis import Analysis
 from .cut_solids import CutSolids
 from .divisions import Divisions
 from .examples import Examples
@@ -38,6 +39,7 @@ COMMANDS = {
     "NMGS_Update": Update,
     "NMGS_MeshReport": MeshReport,
     "NMGS_PlotOptions": PlotOptions,
+    "NMGS_Analysis": Analysis,
     "NMGS_Picture": Picture,
     "NMGS_Export": Export,
     "NMGS_Examples": Examples,

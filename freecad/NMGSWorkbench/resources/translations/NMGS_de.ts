@@ -220,6 +220,10 @@
 <context>
     <name>NMGS</name>
     <message>
+        <source>CalculiX</source>
+        <translation>CalculiX rechnet</translation>
+    </message>
+    <message>
         <source>Hemisphere</source>
         <translation>Halbkugelfläche</translation>
     </message>
@@ -302,6 +306,66 @@
     <message>
         <source>About NMGS</source>
         <translation>Über NMGS</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
+    </message>
+    <message>
+        <source>Stainless steel</source>
+        <translation>Edelstahl</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Titanium</source>
+        <translation>Titan</translation>
+    </message>
+    <message>
+        <source>Copper</source>
+        <translation>Kupfer</translation>
+    </message>
+    <message>
+        <source>Cast iron</source>
+        <translation>Gusseisen</translation>
+    </message>
+    <message>
+        <source>Concrete</source>
+        <translation>Beton</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Along picked edge or face</source>
+        <translation>Entlang ausgewählter Kante oder Fläche</translation>
+    </message>
+    <message>
+        <source>Largest displacement {moved:.4g} mm, largest von Mises stress {stress:.4g} MPa</source>
+        <translation>Größte Verschiebung {moved:.4g} mm, größte Vergleichsspannung nach von Mises {stress:.4g} MPa</translation>
+    </message>
+    <message>
+        <source>Pick faces of the part in the view first.</source>
+        <translation>Zuerst in der Ansicht Flächen des Teils auswählen.</translation>
+    </message>
+    <message>
+        <source>A face must be held and one be loaded.</source>
+        <translation>Eine Fläche muss gehalten und eine belastet sein.</translation>
+    </message>
+    <message>
+        <source>{mesh} on {parts}</source>
+        <translation>{mesh} auf {parts}</translation>
+    </message>
+    <message>
+        <source>Along {name}</source>
+        <translation>Entlang {name}</translation>
+    </message>
+    <message>
+        <source>{mesh} is not on a part: there are no faces to hold or load.</source>
+        <translation>{mesh} liegt auf keinem Teil: Es gibt keine Flächen zum Halten oder Belasten.</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -664,6 +728,17 @@
     </message>
 </context>
 <context>
+    <name>NMGS_Analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statische Berechnung</translation>
+    </message>
+    <message>
+        <source>Hold and load faces of the part that the picked mesh is on, and solve with CalculiX</source>
+        <translation>Flächen des Teils, auf dem das ausgewählte Netz liegt, halten und belasten und mit CalculiX lösen</translation>
+    </message>
+</context>
+<context>
     <name>NMGS_CutSolids</name>
     <message>
         <source>Cut solids</source>
@@ -826,6 +901,105 @@
     <message>
         <source>Compute again the blocks and meshes whose geometry or divisions have changed</source>
         <translation>Die Blöcke und Netze neu berechnen, deren Geometrie oder Teilungen sich geändert haben</translation>
+    </message>
+</context>
+<context>
+    <name>analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statische Berechnung</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Fills in the figures below, which can be changed</source>
+        <translation>Füllt die Werte darunter aus, die geändert werden können</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Stress by strain</source>
+        <translation>Spannung durch Dehnung</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation>Querdehnzahl</translation>
+    </message>
+    <message>
+        <source>Strain across by strain along</source>
+        <translation>Querdehnung durch Längsdehnung</translation>
+    </message>
+    <message>
+        <source>Faces that are held</source>
+        <translation>Flächen, die gehalten werden</translation>
+    </message>
+    <message>
+        <source>None of their nodes can move; a double click takes a face away</source>
+        <translation>Keiner ihrer Knoten kann sich bewegen; ein Doppelklick nimmt eine Fläche weg</translation>
+    </message>
+    <message>
+        <source>Hold picked faces</source>
+        <translation>Ausgewählte Flächen halten</translation>
+    </message>
+    <message>
+        <source>Adds the faces that are picked in the view</source>
+        <translation>Fügt die in der Ansicht ausgewählten Flächen hinzu</translation>
+    </message>
+    <message>
+        <source>Faces that are loaded</source>
+        <translation>Flächen, die belastet werden</translation>
+    </message>
+    <message>
+        <source>They share the load; a double click takes a face away</source>
+        <translation>Sie teilen sich die Last; ein Doppelklick nimmt eine Fläche weg</translation>
+    </message>
+    <message>
+        <source>Load picked faces</source>
+        <translation>Ausgewählte Flächen belasten</translation>
+    </message>
+    <message>
+        <source>A force that all loaded faces share, or a pressure on each</source>
+        <translation>Eine Kraft, die sich alle belasteten Flächen teilen, oder ein Druck auf jede</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>All loaded faces together</source>
+        <translation>Alle belasteten Flächen zusammen</translation>
+    </message>
+    <message>
+        <source>Into the part</source>
+        <translation>In das Teil hinein</translation>
+    </message>
+    <message>
+        <source>The force goes along the straight edge, or the normal of the flat face, that is picked in the view; without any, into the loaded face</source>
+        <translation>Die Kraft wirkt entlang der geraden Kante oder der Normalen der ebenen Fläche, die in der Ansicht ausgewählt ist; ohne eine in die belastete Fläche hinein</translation>
+    </message>
+    <message>
+        <source>The other way round</source>
+        <translation>Anders herum</translation>
+    </message>
+    <message>
+        <source>Turns the load's direction</source>
+        <translation>Kehrt die Richtung der Last um</translation>
+    </message>
+    <message>
+        <source>Solve with CalculiX</source>
+        <translation>Mit CalculiX lösen</translation>
+    </message>
+    <message>
+        <source>Off: only the analysis is made, to go on with in the FEM workbench</source>
+        <translation>Aus: Es wird nur die Analyse angelegt, mit der im Arbeitsbereich FEM weitergearbeitet wird</translation>
     </message>
 </context>
 <context>

@@ -220,6 +220,10 @@
 <context>
     <name>NMGS</name>
     <message>
+        <source>CalculiX</source>
+        <translation>CalculiX çözüyor</translation>
+    </message>
+    <message>
         <source>Hemisphere</source>
         <translation>Yarım küre yüzeyi</translation>
     </message>
@@ -302,6 +306,66 @@
     <message>
         <source>About NMGS</source>
         <translation>NMGS hakkında</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Çelik</translation>
+    </message>
+    <message>
+        <source>Stainless steel</source>
+        <translation>Paslanmaz çelik</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Alüminyum</translation>
+    </message>
+    <message>
+        <source>Titanium</source>
+        <translation>Titanyum</translation>
+    </message>
+    <message>
+        <source>Copper</source>
+        <translation>Bakır</translation>
+    </message>
+    <message>
+        <source>Cast iron</source>
+        <translation>Dökme demir</translation>
+    </message>
+    <message>
+        <source>Concrete</source>
+        <translation>Beton</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Along picked edge or face</source>
+        <translation>Seçilen kenar ya da yüzey boyunca</translation>
+    </message>
+    <message>
+        <source>Largest displacement {moved:.4g} mm, largest von Mises stress {stress:.4g} MPa</source>
+        <translation>En büyük yer değiştirme {moved:.4g} mm, en büyük von Mises gerilmesi {stress:.4g} MPa</translation>
+    </message>
+    <message>
+        <source>Pick faces of the part in the view first.</source>
+        <translation>Önce görünümde parçanın yüzeylerini seçin.</translation>
+    </message>
+    <message>
+        <source>A face must be held and one be loaded.</source>
+        <translation>Bir yüzey tutulmalı, bir yüzey yüklenmelidir.</translation>
+    </message>
+    <message>
+        <source>{mesh} on {parts}</source>
+        <translation>{parts} üzerinde {mesh}</translation>
+    </message>
+    <message>
+        <source>Along {name}</source>
+        <translation>{name} boyunca</translation>
+    </message>
+    <message>
+        <source>{mesh} is not on a part: there are no faces to hold or load.</source>
+        <translation>{mesh} bir parça üzerinde değil: tutulacak ya da yüklenecek yüzey yok.</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -664,6 +728,17 @@
     </message>
 </context>
 <context>
+    <name>NMGS_Analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statik çözümleme</translation>
+    </message>
+    <message>
+        <source>Hold and load faces of the part that the picked mesh is on, and solve with CalculiX</source>
+        <translation>Seçilen ağın üzerinde olduğu parçanın yüzeylerini tut ve yükle, CalculiX ile çöz</translation>
+    </message>
+</context>
+<context>
     <name>NMGS_CutSolids</name>
     <message>
         <source>Cut solids</source>
@@ -826,6 +901,105 @@
     <message>
         <source>Compute again the blocks and meshes whose geometry or divisions have changed</source>
         <translation>Geometrisi veya bölünmeleri değişen blokları ve ağları yeniden hesaplar</translation>
+    </message>
+</context>
+<context>
+    <name>analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statik çözümleme</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Malzeme</translation>
+    </message>
+    <message>
+        <source>Fills in the figures below, which can be changed</source>
+        <translation>Aşağıdaki değerleri doldurur; değiştirilebilirler</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastisite modülü</translation>
+    </message>
+    <message>
+        <source>Stress by strain</source>
+        <translation>Gerilme bölü gerinim</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation>Poisson oranı</translation>
+    </message>
+    <message>
+        <source>Strain across by strain along</source>
+        <translation>Enine gerinim bölü boyuna gerinim</translation>
+    </message>
+    <message>
+        <source>Faces that are held</source>
+        <translation>Tutulan yüzeyler</translation>
+    </message>
+    <message>
+        <source>None of their nodes can move; a double click takes a face away</source>
+        <translation>Düğümlerinin hiçbiri hareket edemez; çift tıklama yüzeyi kaldırır</translation>
+    </message>
+    <message>
+        <source>Hold picked faces</source>
+        <translation>Seçilen yüzeyleri tut</translation>
+    </message>
+    <message>
+        <source>Adds the faces that are picked in the view</source>
+        <translation>Görünümde seçilen yüzeyleri ekler</translation>
+    </message>
+    <message>
+        <source>Faces that are loaded</source>
+        <translation>Yüklenen yüzeyler</translation>
+    </message>
+    <message>
+        <source>They share the load; a double click takes a face away</source>
+        <translation>Yükü paylaşırlar; çift tıklama yüzeyi kaldırır</translation>
+    </message>
+    <message>
+        <source>Load picked faces</source>
+        <translation>Seçilen yüzeylere yük ver</translation>
+    </message>
+    <message>
+        <source>A force that all loaded faces share, or a pressure on each</source>
+        <translation>Yüklenen tüm yüzeylerin paylaştığı bir kuvvet ya da her birine bir basınç</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kuvvet</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Basınç</translation>
+    </message>
+    <message>
+        <source>All loaded faces together</source>
+        <translation>Yüklenen tüm yüzeyler birlikte</translation>
+    </message>
+    <message>
+        <source>Into the part</source>
+        <translation>Parçanın içine doğru</translation>
+    </message>
+    <message>
+        <source>The force goes along the straight edge, or the normal of the flat face, that is picked in the view; without any, into the loaded face</source>
+        <translation>Kuvvet, görünümde seçilen düz kenar ya da düz yüzeyin normali boyuncadır; seçim yoksa yüklenen yüzeyin içine doğrudur</translation>
+    </message>
+    <message>
+        <source>The other way round</source>
+        <translation>Ters yönde</translation>
+    </message>
+    <message>
+        <source>Turns the load's direction</source>
+        <translation>Yükün yönünü çevirir</translation>
+    </message>
+    <message>
+        <source>Solve with CalculiX</source>
+        <translation>CalculiX ile çöz</translation>
+    </message>
+    <message>
+        <source>Off: only the analysis is made, to go on with in the FEM workbench</source>
+        <translation>Kapalı: yalnızca çözümleme hazırlanır, FEM tezgâhında sürdürülür</translation>
     </message>
 </context>
 <context>
