@@ -7,7 +7,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from ..nmgs.errors import Error
 from .calculix_process import run_calculix
-from .picked import sets_by_groups
+from .picked import install
 
 #: A face's name, or the document object that it belongs to and its name.
 Face = Union[str, Tuple[Any, str]]
@@ -136,8 +136,8 @@ def solve(analysis: Any, folder: Optional[str] = None, run: Runner = _at_once) -
     problems = tools.check_prerequisites()
     if problems:
         raise SolverError(problems.strip())
-    with sets_by_groups():
-        tools.write_inp_file()
+    install()
+    tools.write_inp_file()
     if not tools.inp_file_name:
         raise SolverError("FEM could not write CalculiX's input file; see the report view")
     require_loads(tools.inp_file_name)

@@ -14,9 +14,9 @@ from .mesh import CELL_TYPES, Mesh
 
 
 def module() -> Any:
-    """meshio, with two defects mended: version 5.0 (Debian 12) lacks the dimension of two cells that
-    it reads and writes; and it decodes an array of a .vtu file together with all arrays behind it,
-    which Python refuses from 3.13 on."""
+    """meshio, with two defects mended: version 5.0 (Debian 12) lacks the dimension of two cells
+    that it reads and writes; and it decodes an array of a .vtu file together with all arrays
+    behind it, which Python refuses from 3.13 on."""
     import meshio
     from meshio import _mesh
     from meshio.vtu import _vtu
