@@ -23,11 +23,14 @@ bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
         return false;
     }
     std::array<double, 2> segments{0, 0};
+    std::set<int> outer;
     for (std::size_t l = 0; l < 2; ++l) {
         for (const EdgeUse &use : loops.loops[l]) {
-            if (use.degenerated || use.seam) {
+            // Where the loops touch there is no room for a ring.
+            if (use.degenerated || use.seam || (l == 1 && outer.contains(use.vertex))) {
                 return false;
             }
+            outer.insert(use.vertex);
             segments[l] += std::max(1.0, sizes.at(use.edge).segments());
         }
     }
@@ -127,7 +130,13 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     if (!corners.empty() && may("mid-point")) {
         consider(midpoint_quads(surface, corners, boundary, refusal), "mid-point");
     }
-    if (boundary.size() == 2 && inner.empty() && may("ring")) {
+    const auto touching = [&] {
+        return std::any_of(boundary[0].begin(), boundary[0].end(), [&](const BoundaryNode &n) {
+            return std::any_of(boundary[1].begin(), boundary[1].end(),
+                               [&](const BoundaryNode &m) { return m.point == n.point; });
+        });
+    };
+    if (boundary.size() == 2 && inner.empty() && may("ring") && !touching()) {
         consider(ring_quads(surface, boundary, refusal), "ring");
     }
     if (best_quality < good && may("general")) {

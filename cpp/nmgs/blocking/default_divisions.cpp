@@ -160,8 +160,9 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     const auto most = static_cast<double>(
         std::max<std::int64_t>(options.most_cells, static_cast<std::int64_t>(model.size())));
     // Blocks by the thousand are small already. They come from no structured strategy, and a chain
-    // goes through most of them: finer elements would be no better and far too many.
-    const bool unstructured = model.size() >= options.many_blocks;
+    // goes through most of them: finer elements would be no better and far too many. Patches come
+    // by the thousand from shapes with many faces, each of which is structured.
+    const bool unstructured = model.dimension == 3 && model.size() >= options.many_blocks;
     if (unstructured) {
         std::fill(needs.length.begin(), needs.length.end(), 0.0);
     }
