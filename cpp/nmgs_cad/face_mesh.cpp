@@ -187,6 +187,23 @@ double curved_quality(const FaceMesh &mesh, const FaceSurface &surface) {
         if (norm2(normal) == 0) {
             continue;
         }
+        bool tip = false;
+        for (std::size_t c = 0; c < 4; ++c) {
+            tip = tip || unavoidable(mesh, quad, c);
+        }
+        if (tip) {
+            // It is not divided: its chords count.
+            for (std::size_t c = 0; c < 4; ++c) {
+                const Vec3 a = nodes[(c + 1) % 4] - nodes[c];
+                const Vec3 b = nodes[(c + 3) % 4] - nodes[c];
+                const double sine =
+                    dot(cross(a, b), normal) / (norm(a) * norm(b) * norm(normal) + 1e-300);
+                if (sine <= 0 || !unavoidable(mesh, quad, c)) {
+                    least = std::min(least, sine);
+                }
+            }
+            continue;
+        }
         // Between the corners only: there the sine of the sharpest corner counts by itself.
         constexpr std::array<double, 3> at{-0.75, 0, 0.75};
         for (const double xi : at) {
