@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_layout.h"
 
+#include "nmgs_cad/face_cusps.h"
 #include "nmgs_cad/face_general.h"
 #include "nmgs_cad/face_intervals.h"
 #include "nmgs_cad/face_mapped.h"
@@ -23,16 +24,25 @@ bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
         return false;
     }
     std::array<double, 2> segments{0, 0};
+    std::set<int> outer;
     for (std::size_t l = 0; l < 2; ++l) {
         for (const EdgeUse &use : loops.loops[l]) {
-            if (use.degenerated || use.seam) {
+            // Where the loops touch there is no room for a ring.
+            if (use.degenerated || use.seam || (l == 1 && outer.contains(use.vertex))) {
                 return false;
             }
+            outer.insert(use.vertex);
             segments[l] += std::max(1.0, sizes.at(use.edge).segments());
         }
     }
     constexpr double most = 2.5;
     return segments[0] <= most * segments[1] && segments[1] <= most * segments[0];
+}
+
+// Of a face that is laid out in elements.
+double element_size(const CadShape &shape, const LayoutOptions &options) {
+    const double size = shape.diagonal() / 30;
+    return options.size > 0 ? std::min(options.size, size) : size;
 }
 
 // Divides the edges of the plans that are not laid out yet.
@@ -54,8 +64,13 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     for (FacePlan &plan : plans) {
         poll(progress, 0);
         Refusal refusal;
-        plan.sides = logical_sides(plan.loops, refusal);
-        if (!plan.sides) {
+        plan.cusps = size_cusps(plan.loops, sizes);
+        if (plan.cusps) {
+            size_as_elements(plan.loops, sizes, element_size(shape, options));
+        } else {
+            plan.sides = logical_sides(plan.loops, refusal);
+        }
+        if (!plan.sides && !plan.cusps) {
             plan.corners = midpoint_corners(plan.loops);
             plan.ring = may_be_ring(plan.loops, sizes);
         }
@@ -127,11 +142,21 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     if (!corners.empty() && may("mid-point")) {
         consider(midpoint_quads(surface, corners, boundary, refusal), "mid-point");
     }
-    if (boundary.size() == 2 && inner.empty() && may("ring")) {
+    const auto touching = [&] {
+        return std::any_of(boundary[0].begin(), boundary[0].end(), [&](const BoundaryNode &n) {
+            return std::any_of(boundary[1].begin(), boundary[1].end(),
+                               [&](const BoundaryNode &m) { return m.point == n.point; });
+        });
+    };
+    if (boundary.size() == 2 && inner.empty() && may("ring") && !touching()) {
         consider(ring_quads(surface, boundary, refusal), "ring");
     }
     if (best_quality < good && may("general")) {
-        consider(general_quads(surface, boundary, inner, options, refusal, progress), "general");
+        LayoutOptions finer = options;
+        if (plan.cusps) {
+            finer.size = element_size(shape, options);
+        }
+        consider(general_quads(surface, boundary, inner, finer, refusal, progress), "general");
     }
     if (best) {
         put(*best, plan.face, layout);
@@ -167,7 +192,7 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
     if (!loops) {
         return false;
     }
-    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false}};
+    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false, false}};
     divide_edges(shape, plans, layout, options, progress);
     double quality = 0;
     return !fail_safe_cover(shape, plans.front(), layout, options, "auto", refusal, quality,
@@ -191,7 +216,7 @@ void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &lay
         if (!loops) {
             refused[face] = refusal;
         } else if (!covered.contains(face)) {
-            plans.push_back({face, std::move(*loops), std::nullopt, {}, false});
+            plans.push_back({face, std::move(*loops), std::nullopt, {}, false, false});
         }
     }
     divide_edges(shape, plans, layout, options, progress);

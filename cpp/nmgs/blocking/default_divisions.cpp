@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/blocking/default_divisions.h"
 
+#include "nmgs/blocking/cusp.h"
 #include "nmgs/blocking/divisions.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
@@ -23,8 +24,10 @@ double turn(Vec3 low, Vec3 middle, Vec3 high) {
 }
 
 // What a chain needs: the longest edge, the largest turn, and that divided by the angle allowed.
+// single: a patch of it ends in a cusp and stays whole.
 struct Needs {
     std::vector<double> length, angles;
+    std::vector<char> single;
 };
 
 Vec3 place(const BlockModel &model, std::size_t block, const std::array<double, 3> &t) {
@@ -36,7 +39,8 @@ Vec3 place(const BlockModel &model, std::size_t block, const std::array<double, 
 Needs needs_of(const BlockModel &model, const Chains &chains, const DefaultDivisions &options) {
     const auto count = static_cast<std::size_t>(chains.count);
     const auto n = static_cast<std::size_t>(model.dimension);
-    Needs needs{std::vector<double>(count, 0), std::vector<double>(count, 0)};
+    Needs needs{std::vector<double>(count, 0), std::vector<double>(count, 0),
+                std::vector<char>(count, 0)};
     for (std::size_t b = 0; b < model.size(); ++b) {
         const auto chain = [&](std::size_t d) {
             return static_cast<std::size_t>(chains.chain[b * n + d]);
@@ -44,6 +48,9 @@ Needs needs_of(const BlockModel &model, const Chains &chains, const DefaultDivis
         for (std::size_t d = 0; d < n; ++d) {
             double &length = needs.length[chain(d)];
             length = std::max(length, direction_length(model, b, static_cast<int>(d)).longest);
+        }
+        if (n == 2 && ends_in_cusp(model.element(b))) {
+            needs.single[chain(0)] = needs.single[chain(1)] = 1;
         }
         // Each face: along its rims and its middle lines.
         for (std::size_t w = 0; w < 3; ++w) {
@@ -132,7 +139,9 @@ Divisions divide(const BlockModel &model, const Chains &chains, const Needs &nee
     const auto n = static_cast<std::size_t>(model.dimension);
     for (std::size_t at = 0; at < chains.chain.size(); ++at) {
         const auto chain = static_cast<std::size_t>(chains.chain[at]);
-        const double wanted = std::max(needs.length[chain] / size, needs.angles[chain] / coarser);
+        const double wanted = needs.single[chain] != 0 ? 1
+                                                       : std::max(needs.length[chain] / size,
+                                                                  needs.angles[chain] / coarser);
         constexpr double most = 1e6;
         result[at / n][at % n] =
             std::max(1, static_cast<std::int32_t>(std::ceil(std::min(wanted, most) - 1e-9)));
@@ -160,8 +169,9 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     const auto most = static_cast<double>(
         std::max<std::int64_t>(options.most_cells, static_cast<std::int64_t>(model.size())));
     // Blocks by the thousand are small already. They come from no structured strategy, and a chain
-    // goes through most of them: finer elements would be no better and far too many.
-    const bool unstructured = model.size() >= options.many_blocks;
+    // goes through most of them: finer elements would be no better and far too many. Patches come
+    // by the thousand from shapes with many faces, each of which is structured.
+    const bool unstructured = model.dimension == 3 && model.size() >= options.many_blocks;
     if (unstructured) {
         std::fill(needs.length.begin(), needs.length.end(), 0.0);
     }
