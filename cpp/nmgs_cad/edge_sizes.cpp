@@ -84,10 +84,10 @@ double EdgeSize::segments() const {
 }
 
 std::vector<double> EdgeSize::fractions(int n) const {
-    const bool whole = n <= tips();
-    const double from = whole ? 0 : tip[0] / length;
-    const double to = whole ? 1 : 1 - tip[1] / length;
-    const int inner = whole ? n : n - tips();
+    const bool no_tips = n <= tips();
+    const double from = no_tips ? 0 : tip[0] / length;
+    const double to = no_tips ? 1 : 1 - tip[1] / length;
+    const int inner = no_tips ? n : n - tips();
     const Count count = count_between(*this, from, to);
     std::vector<double> result;
     if (from > 0) {
@@ -185,7 +185,10 @@ void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
         length.push_back(along);
         all += along;
     }
-    const double least = all / 500;
+    // Beyond the quad in a cusp the face is as narrow as that is.
+    const bool cusps =
+        std::any_of(samples.begin(), samples.end(), [](const Sample &s) { return s.tip; });
+    const double least = all / (cusps ? 8000 : 500);
     // Another part of the boundary is one that is much farther along the boundary than across. Two
     // quads fit between.
     constexpr double detour = 4;

@@ -14,38 +14,49 @@ Vec3 place(const EdgeSize &size, bool from_start, double length) {
     const auto pieces = static_cast<double>(size.at.size() - 1);
     const double f = std::clamp(length / size.length, 0.0, 1.0);
     const double x = (from_start ? f : 1 - f) * pieces;
-    const auto i = std::min(static_cast<std::size_t>(x), size.at.size() - 2);
+    // The quadratic through three of the places: a chord's error would be an angle of its own.
+    const auto i =
+        std::clamp<std::size_t>(static_cast<std::size_t>(x + 0.5), 1, size.at.size() - 2);
     const double t = x - static_cast<double>(i);
-    return (1 - t) * size.at[i] + t * size.at[i + 1];
+    return 0.5 * t * (t - 1) * size.at[i - 1] + (1 - t * t) * size.at[i] +
+           0.5 * t * (t + 1) * size.at[i + 1];
 }
 
-// The length at which a quad fits into the corner between two uses; 0 where it is no cusp.
-double tip_length(const EdgeUse &before, const EdgeUse &use, const EdgeSizes &sizes) {
-    constexpr double sharpest = 0.3; // radians; more is no cusp
-    constexpr double wanted = 0.36;  // of the chords
-    constexpr double least = 0.02;   // share of the shorter edge
-    constexpr double most = 0.45;
+constexpr double sharpest = 0.3; // radians; more is no cusp
+
+bool sharp(const EdgeUse &before, const EdgeUse &use) {
+    return !before.degenerated && !use.degenerated && use.angle <= sharpest;
+}
+
+// The length at which a quad fits into the corner at the start of use u; 0 where it is no cusp.
+double tip_length(const FaceLoop &loop, std::size_t u, const EdgeSizes &sizes) {
+    constexpr double wanted = 0.27; // radians, of the chords
+    constexpr double least = 0.02;  // share of the shorter edge
     constexpr double step = 1.1;
-    if (before.degenerated || use.degenerated || use.angle > sharpest) {
+    const std::size_t n = loop.size();
+    const EdgeUse &before = loop[(u + n - 1) % n];
+    const EdgeUse &use = loop[u];
+    if (!sharp(before, use)) {
         return 0;
     }
+    constexpr double most_of_edge = 0.45;
     const EdgeSize &one = sizes.at(before.edge);
     const EdgeSize &two = sizes.at(use.edge);
     const double shorter = std::min(one.length, two.length);
+    const double most = most_of_edge * shorter;
+    const auto angle = [&](double s) {
+        return angle_between(place(one, !before.forward, s) - use.start,
+                             place(two, use.forward, s) - use.start);
+    };
     double best = 0;
     double widest = 0;
     double narrowest = wanted;
-    for (double s = least * shorter; s <= most * shorter; s *= step) {
-        const Vec3 a = place(one, !before.forward, s) - use.start;
-        const Vec3 b = place(two, use.forward, s) - use.start;
-        const double angle = angle_between(a, b);
-        narrowest = std::min(narrowest, angle);
-        if (angle > widest) {
-            widest = angle;
+    for (double s = least * shorter; s <= most && widest < wanted; s *= step) {
+        const double a = angle(s);
+        narrowest = std::min(narrowest, a);
+        if (a > widest) {
+            widest = a;
             best = s;
-        }
-        if (angle > wanted) {
-            break;
         }
     }
     return widest > 1.5 * narrowest ? best : 0;
@@ -59,7 +70,7 @@ bool size_cusps(const FaceLoops &loops, EdgeSizes &sizes) {
         for (std::size_t u = 0; u < loop.size(); ++u) {
             const EdgeUse &use = loop[u];
             const EdgeUse &before = loop[(u + loop.size() - 1) % loop.size()];
-            const double length = tip_length(before, use, sizes);
+            const double length = tip_length(loop, u, sizes);
             if (!(length > 0)) {
                 continue;
             }

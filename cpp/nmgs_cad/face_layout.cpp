@@ -24,14 +24,11 @@ bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
         return false;
     }
     std::array<double, 2> segments{0, 0};
-    std::set<int> outer;
     for (std::size_t l = 0; l < 2; ++l) {
         for (const EdgeUse &use : loops.loops[l]) {
-            // Where the loops touch there is no room for a ring.
-            if (use.degenerated || use.seam || (l == 1 && outer.contains(use.vertex))) {
+            if (use.degenerated || use.seam) {
                 return false;
             }
-            outer.insert(use.vertex);
             segments[l] += std::max(1.0, sizes.at(use.edge).segments());
         }
     }
@@ -142,13 +139,7 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     if (!corners.empty() && may("mid-point")) {
         consider(midpoint_quads(surface, corners, boundary, refusal), "mid-point");
     }
-    const auto touching = [&] {
-        return std::any_of(boundary[0].begin(), boundary[0].end(), [&](const BoundaryNode &n) {
-            return std::any_of(boundary[1].begin(), boundary[1].end(),
-                               [&](const BoundaryNode &m) { return m.point == n.point; });
-        });
-    };
-    if (boundary.size() == 2 && inner.empty() && may("ring") && !touching()) {
+    if (boundary.size() == 2 && inner.empty() && may("ring")) {
         consider(ring_quads(surface, boundary, refusal), "ring");
     }
     if (best_quality < good && may("general")) {
@@ -192,6 +183,7 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
     if (!loops) {
         return false;
     }
+    join_touching_loops(shape, face, *loops);
     std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false, false}};
     divide_edges(shape, plans, layout, options, progress);
     double quality = 0;
@@ -216,6 +208,7 @@ void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &lay
         if (!loops) {
             refused[face] = refusal;
         } else if (!covered.contains(face)) {
+            join_touching_loops(shape, face, *loops);
             plans.push_back({face, std::move(*loops), std::nullopt, {}, false, false});
         }
     }

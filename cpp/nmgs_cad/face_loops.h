@@ -49,4 +49,8 @@ struct FaceLoops {
 // none, or an edge has no curve in the parameters.
 std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &refusal);
 
+// Loops that meet at a vertex become one that goes through it twice: the corners between them are
+// then the face's own. (A hole that touches the rim leaves two cusps.)
+void join_touching_loops(const CadShape &shape, int face, FaceLoops &loops);
+
 } // namespace nmgs::cad

@@ -221,8 +221,14 @@ double curved_quality(const FaceMesh &mesh, const FaceSurface &surface) {
 bool unavoidable(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad, std::size_t c) {
     constexpr double sharp = 0.35;
     const FaceMesh::Rim &rim = mesh.rim[static_cast<std::size_t>(quad[c])];
-    return mesh.fixed(quad[c]) && rim.angle < sharp && quad[(c + 1) % 4] == rim.after &&
-           quad[(c + 3) % 4] == rim.before;
+    const std::int32_t ahead = quad[(c + 1) % 4];
+    const std::int32_t back = quad[(c + 3) % 4];
+    // Where the boundary touches itself it has no single direction.
+    const bool touched = norm2(rim.to_before) == 0 && norm2(rim.to_after) == 0 &&
+                         norm2(mesh.normals[static_cast<std::size_t>(quad[c])]) > 0;
+    return mesh.fixed(quad[c]) && rim.angle < sharp &&
+           (touched ? mesh.fixed(ahead) && mesh.fixed(back)
+                    : ahead == rim.after && back == rim.before);
 }
 
 double worst_avoidable(const FaceMesh &mesh, const FaceSurface &surface) {
