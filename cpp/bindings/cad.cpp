@@ -13,6 +13,7 @@
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/occt_failure.h"
 #include "nmgs_cad/refine.h"
+#include "nmgs_cad/solid_groups.h"
 #include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/version.h"
 
@@ -123,6 +124,12 @@ PYBIND11_MODULE(cad, module) {
         .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
     module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"),
                py::arg("tolerance"), py::arg("method"), py::arg("progress") = py::none());
+    module.def(
+        "joined_solids",
+        [](const nmgs::cad::CadShape &shape, const std::vector<int> &solids) {
+            return nmgs::cad::joined_solids(shape, solids);
+        },
+        py::arg("shape"), py::arg("solids"), "Groups of solids (n of SolidN) that touch.");
     module.def("solid_strategies", [] {
         std::vector<std::string> names;
         for (const auto &strategy : nmgs::cad::solid_strategies()) {

@@ -5,6 +5,7 @@
 
 #include "cad_layout_checks.h"
 
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -15,9 +16,11 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
@@ -198,6 +201,68 @@ TEST(Cut, LeavesALayoutThatNeighboursHaveBegun) {
     EXPECT_EQ(refusal.blockers, std::vector<std::string>{"Edge1"});
     EXPECT_EQ(layout.points.size(), points);
     EXPECT_TRUE(layout.hexas.empty());
+}
+
+// As thickening a shell makes them: the shell is inside out, and the solid turned.
+TEST(Cut, SolidsThatAreTurned) {
+    TopoDS_Shape bracket = fused(box(0, 0, 0, 6, 4, 1), box(0, 0, 1, 1, 4, 4));
+    bracket = cut(bracket, cylinder(gp_Pnt(4, 2, -1), gp_Dir(0, 0, 1), 0.8, 3));
+    const BRep_Builder builder;
+    TopoDS_Solid turned;
+    builder.MakeSolid(turned);
+    builder.Add(turned, TopExp_Explorer(bracket, TopAbs_SHELL).Current().Reversed());
+    turned.Reverse();
+    ASSERT_GT(volume_of(turned), 0);
+    expect_filled(turned, 1e-2);
+}
+
+// Faces inside a solid become faces between pieces.
+TEST(Cut, FacesInsideSolids) {
+    BRepAlgoAPI_BuilderAlgo fuse;
+    TopTools_ListOfShape arguments;
+    arguments.Append(box(0, 0, 0, 2, 2, 2));
+    arguments.Append(
+        BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.7, 1, 1), gp_Dir(1, 0, 0)), -0.4, 0.5, -0.3, 0.6)
+            .Face());
+    fuse.SetArguments(arguments);
+    fuse.Build();
+    const CadShape shape = make_shape(fuse.Shape());
+    ASSERT_EQ(shape.solids.Extent(), 1);
+    ASSERT_EQ(shape.faces.Extent(), 7);
+    EXPECT_EQ(obstacles(shape, 1).size(), 4U);
+    Layout layout(shape);
+    Refusal refusal;
+    ASSERT_TRUE(fill_cut(shape, 1, layout, {}, refusal, {})) << refusal.reason;
+    std::size_t inner = 0;
+    double area = 0;
+    for (const auto &quad : layout.quads) {
+        const auto p = [&](std::size_t i) {
+            return layout.points[static_cast<std::size_t>(quad.points[i])];
+        };
+        if (std::abs(p(0).x - 0.7) < 1e-9 && std::abs(p(2).x - 0.7) < 1e-9) {
+            ++inner;
+            area += 0.5 * nmgs::norm(nmgs::cross(p(2) - p(0), p(3) - p(1)));
+        }
+    }
+    EXPECT_GT(inner, 0U);
+    EXPECT_NEAR(area, 0.9 * 0.9, 1e-9);
+}
+
+TEST(Cut, StopsWhenItsWorkIsDone) {
+    TopoDS_Shape bracket = fused(box(0, 0, 0, 6, 4, 1), box(0, 0, 1, 1, 4, 4));
+    bracket = cut(bracket, cylinder(gp_Pnt(4, 2, -1), gp_Dir(0, 0, 1), 0.8, 3));
+    const CadShape shape = make_shape(bracket);
+    Layout layout(shape);
+    Refusal refusal;
+    int work = 0;
+    LayoutOptions options;
+    options.cut_work = &work;
+    EXPECT_FALSE(fill_cut(shape, 1, layout, options, refusal, {}));
+    EXPECT_FALSE(refusal.reason.empty());
+    EXPECT_TRUE(layout.hexas.empty());
+    work = 5000;
+    EXPECT_TRUE(fill_cut(shape, 1, layout, options, refusal, {})) << refusal.reason;
+    EXPECT_LT(work, 5000);
 }
 
 TEST(Cut, CancelStopsTheSearch) {
