@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/quad_repair.h"
 
+#include "nmgs/support/ascending.h"
 #include "nmgs/support/at.h"
 #include "nmgs_cad/quad_smoothing.h"
 #include "nmgs_cad/quad_steps.h"
 
 #include <algorithm>
-#include <limits>
-#include <optional>
+#include <map>
+#include <numbers>
 
 namespace nmgs::cad {
 namespace {
@@ -91,83 +92,190 @@ std::vector<char> nodes_near(const FaceMesh &mesh, const Numbers &nodes, int lay
     return near;
 }
 
-struct Repair {
-    const FaceSurface &surface;
-    const std::set<std::array<std::int32_t, 2>> &kept;
-    double good;
-    std::optional<FaceMesh> best;
-    double least = 0; // price
+// The quads round one of a mesh as a mesh of their own; its rim inside the whole is fixed.
+struct Part {
+    FaceMesh mesh;
+    Numbers nodes; // in the whole
+    Numbers quads; // there
+    std::set<std::array<std::int32_t, 2>> kept;
+};
 
-    // Smooths a changed mesh near the nodes; it is the best if it is.
-    void consider(FaceMesh mesh, const Numbers &nodes) {
-        constexpr int layers = 2;
-        constexpr int laplace = 2;
-        constexpr int search = 12;
-        const auto near = nodes_near(mesh, nodes, layers);
-        std::vector<std::size_t> free;
-        for (std::size_t n = 0; n < near.size(); ++n) {
-            if (near[n] != 0) {
-                free.push_back(n);
+Part part_round(const FaceMesh &whole, std::int32_t quad,
+                const std::set<std::array<std::int32_t, 2>> &kept) {
+    constexpr int layers = 3;
+    const Quad &middle = whole.quads[at(quad)];
+    const auto near = nodes_near(whole, {middle.begin(), middle.end()}, layers);
+    Part part;
+    std::vector<std::int32_t> local(whole.points.size(), -1);
+    std::vector<char> rim(whole.points.size(), 0);
+    for (std::size_t q = 0; q < whole.quads.size(); ++q) {
+        const auto inside = [&](std::int32_t n) { return near[at(n)] != 0; };
+        Quad nodes = whole.quads[q];
+        if (std::all_of(nodes.begin(), nodes.end(), inside)) {
+            for (std::int32_t &n : nodes) {
+                if (local[at(n)] < 0) {
+                    local[at(n)] = static_cast<std::int32_t>(part.nodes.size());
+                    part.nodes.push_back(n);
+                }
+                n = local[at(n)];
+            }
+            part.quads.push_back(static_cast<std::int32_t>(q));
+            part.mesh.quads.push_back(nodes);
+        } else {
+            for (const std::int32_t n : nodes) {
+                rim[at(n)] = 1;
             }
         }
-        smooth_quads(mesh, surface, laplace, search, free);
+    }
+    FaceMesh &mesh = part.mesh;
+    const auto number = [&](std::int32_t n) { return n < 0 ? n : local[at(n)]; };
+    for (const std::int32_t n : part.nodes) {
+        mesh.points.push_back(whole.points[at(n)]);
+        mesh.uv.push_back(whole.uv[at(n)]);
+        mesh.normals.push_back(whole.normals[at(n)]);
+        const bool cut = rim[at(n)] != 0 && !whole.fixed(n);
+        mesh.layout_point.push_back(cut ? 0 : whole.layout_point[at(n)]);
+        FaceMesh::Rim own = whole.rim[at(n)];
+        own.before = number(own.before);
+        own.after = number(own.after);
+        own.angle = cut ? 2 * std::numbers::pi : own.angle;
+        mesh.rim.push_back(own);
+    }
+    for (const auto &[a, b] : kept) {
+        if (local[at(a)] >= 0 && local[at(b)] >= 0) {
+            part.kept.insert(ascending(local[at(a)], local[at(b)]));
+        }
+    }
+    return part;
+}
+
+// Puts a changed part back.
+void replace(FaceMesh &whole, const Part &part, const FaceMesh &changed) {
+    Numbers nodes = part.nodes;
+    for (std::size_t n = 0; n < changed.points.size(); ++n) {
+        if (n == nodes.size()) {
+            nodes.push_back(static_cast<std::int32_t>(whole.points.size()));
+            whole.points.emplace_back();
+            whole.uv.emplace_back();
+            whole.normals.emplace_back();
+            whole.layout_point.push_back(-1);
+            whole.rim.emplace_back();
+        }
+        const std::size_t to = at(nodes[n]);
+        whole.points[to] = changed.points[n];
+        whole.uv[to] = changed.uv[n];
+        whole.normals[to] = changed.normals[n];
+    }
+    for (const std::int32_t q : part.quads) {
+        whole.quads[at(q)][0] = -1;
+    }
+    std::erase_if(whole.quads, [](const Quad &q) { return q[0] < 0; });
+    for (Quad quad : changed.quads) {
+        for (std::int32_t &n : quad) {
+            n = nodes[at(n)];
+        }
+        whole.quads.push_back(quad);
+    }
+}
+
+struct Candidate {
+    FaceMesh mesh;
+    Numbers nodes; // that the change touched
+    double price;
+};
+
+void smooth_near(FaceMesh &mesh, const FaceSurface &surface, const Numbers &nodes, int layers,
+                 int laplace, int search) {
+    const auto near = nodes_near(mesh, nodes, layers);
+    std::vector<std::size_t> free;
+    for (std::size_t n = 0; n < near.size(); ++n) {
+        if (near[n] != 0) {
+            free.push_back(n);
+        }
+    }
+    smooth_quads(mesh, surface, laplace, search, free);
+}
+
+// Every change at a quad of the part, roughly smoothed.
+std::vector<Candidate> candidates(const Part &part, const FaceSurface &surface, std::int32_t worst,
+                                  double good) {
+    std::vector<Candidate> result;
+    const auto add = [&](FaceMesh mesh, Numbers nodes) {
+        constexpr int laplace = 2;
+        constexpr int search = 3;
+        smooth_near(mesh, surface, nodes, 1, laplace, search);
         const double price = price_of(mesh, good);
+        result.push_back({std::move(mesh), std::move(nodes), price});
+    };
+    FaceMesh mesh = part.mesh;
+    QuadSteps tables(mesh, surface, part.kept);
+    const Quad quad = mesh.quads[at(worst)];
+    std::vector<QuadStep> steps;
+    for (std::size_t c = 0; c < 4; ++c) {
+        tables.rotations(quad[c], quad[(c + 1) % 4], steps);
+        tables.openings(quad[c], steps);
+    }
+    tables.closings(worst, steps);
+    for (const QuadStep &step : steps) {
+        FaceMesh changed = mesh;
+        QuadSteps work(changed, surface, part.kept);
+        Numbers nodes = work.touched(step);
+        work.apply(step);
+        work.commit();
+        std::erase_if(nodes, [&](std::int32_t n) { return work.valence(n) == 0; });
+        add(std::move(changed), std::move(nodes));
+    }
+    std::vector<Numbers> wrapped{{worst}};
+    for (std::size_t c = 0; c < 4; ++c) {
+        const std::int32_t a = quad[c];
+        const std::int32_t b = quad[(c + 1) % 4];
+        const auto beside = tables.of_edge.find({b, a});
+        if (beside != tables.of_edge.end() && beside->second != worst &&
+            !part.kept.contains(ascending(a, b))) {
+            wrapped.push_back({worst, beside->second});
+        }
+    }
+    for (const Numbers &quads : wrapped) {
+        FaceMesh changed = mesh;
+        wrap(changed, surface, quads);
+        add(std::move(changed), {quad.begin(), quad.end()});
+    }
+    return result;
+}
+
+bool mend(FaceMesh &mesh, const FaceSurface &surface,
+          const std::set<std::array<std::int32_t, 2>> &kept, std::int32_t worst, double good) {
+    const Part part = part_round(mesh, worst, kept);
+    const auto place = std::find(part.quads.begin(), part.quads.end(), worst) - part.quads.begin();
+    auto all = candidates(part, surface, static_cast<std::int32_t>(place), good);
+    constexpr double progress = 0.02;
+    double least = price_of(part.mesh, good) - progress;
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Candidate &a, const Candidate &b) { return a.price < b.price; });
+    constexpr std::size_t most = 3;
+    const FaceMesh *best = nullptr;
+    for (std::size_t i = 0; i < std::min(most, all.size()); ++i) {
+        constexpr int layers = 2;
+        constexpr int search = 10;
+        smooth_near(all[i].mesh, surface, all[i].nodes, layers, 1, search);
+        const double price = price_of(all[i].mesh, good);
         if (price < least) {
             least = price;
-            best = std::move(mesh);
+            best = &all[i].mesh;
         }
     }
-    bool mend(FaceMesh &mesh, std::int32_t worst) {
-        QuadSteps tables(mesh, surface, kept);
-        const Quad quad = mesh.quads[at(worst)];
-        constexpr double progress = 0.02;
-        best.reset();
-        least = price_of(mesh, good) - progress;
-        std::vector<QuadStep> steps;
-        for (std::size_t c = 0; c < 4; ++c) {
-            tables.rotations(quad[c], quad[(c + 1) % 4], steps);
-            tables.openings(quad[c], steps);
-        }
-        tables.closings(worst, steps);
-        for (const QuadStep &step : steps) {
-            FaceMesh changed = mesh;
-            QuadSteps work(changed, surface, kept);
-            const auto nodes = work.touched(step);
-            work.apply(step);
-            work.commit();
-            Numbers present;
-            std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(present),
-                         [&](std::int32_t n) { return work.valence(n) > 0; });
-            consider(std::move(changed), present);
-        }
-        std::vector<Numbers> wrapped{{worst}};
-        for (std::size_t c = 0; c < 4; ++c) {
-            const auto beside = tables.of_edge.find({quad[(c + 1) % 4], quad[c]});
-            if (beside != tables.of_edge.end() && beside->second != worst &&
-                !kept.contains(
-                    {std::min(quad[c], quad[(c + 1) % 4]), std::max(quad[c], quad[(c + 1) % 4])})) {
-                wrapped.push_back({worst, beside->second});
-            }
-        }
-        for (const Numbers &quads : wrapped) {
-            FaceMesh changed = mesh;
-            wrap(changed, surface, quads);
-            consider(std::move(changed), {quad.begin(), quad.end()});
-        }
-        if (best) {
-            mesh = std::move(*best);
-        }
-        return best.has_value();
+    if (best != nullptr) {
+        replace(mesh, part, *best);
     }
-};
+    return best != nullptr;
+}
 
 } // namespace
 
 void repair_quads(FaceMesh &mesh, const FaceSurface &surface,
                   const std::set<std::array<std::int32_t, 2>> &kept, double good) {
-    Repair repair{surface, kept, good, std::nullopt, 0};
     std::set<Quad> hopeless;
-    constexpr int most = 60;
+    constexpr int most = 40;
     for (int round = 0; round < most; ++round) {
         double least = good;
         std::int32_t worst = -1;
@@ -184,7 +292,7 @@ void repair_quads(FaceMesh &mesh, const FaceSurface &surface,
             break;
         }
         const Quad quad = mesh.quads[at(worst)];
-        if (!repair.mend(mesh, worst)) {
+        if (!mend(mesh, surface, kept, worst, good)) {
             hopeless.insert(quad);
         }
     }
