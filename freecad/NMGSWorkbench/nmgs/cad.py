@@ -85,6 +85,8 @@ def default_divisions(model: BlockModel) -> None:
     """Divisions for a fitted model when no size is given: elements no longer than a thirtieth of
     the shape's diagonal that turn by ten degrees at most, and no more than 200 000 of them."""
     link: CadLink = model.cad  # type: ignore[assignment]
+    if link.whole is not None and link.whole.all():
+        return
     model.divisions = _kernel.core().default_divisions(
         model.nodes, model.divisions, link.shape.diagonal / 30, corners=link.corners
     )
