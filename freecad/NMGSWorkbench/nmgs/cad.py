@@ -86,6 +86,8 @@ def default_divisions(model: BlockModel) -> None:
     the shape's diagonal that turn by ten degrees at most and keep each solid's volume, and no more
     than 200 000 of them."""
     link: CadLink = model.cad  # type: ignore[assignment]
+    if link.whole is not None and link.whole.all():
+        return
     part = np.zeros(len(model.nodes), np.int32)
     for n, entry in enumerate(model.report):
         part[entry["first_block"] : entry["first_block"] + entry["blocks"]] = n
