@@ -368,7 +368,9 @@ class FaceCheck(Check):
             face = self.shape.Faces[int(name[4:]) - 1]
             for edge in face.Edges:
                 # A seam and an edge inside the face count twice: both sides are of the one face.
-                twice = edge.isSeam(face) or edge.Orientation in ("Internal", "External")
+                # (A face that is itself "Internal" hands that on to all its edges.)
+                inner = edge.Orientation == "Internal" and face.Orientation != "Internal"
+                twice = edge.isSeam(face) or inner
                 faces_of[self.number_of_edge(edge)] += 2 if twice else 1
         beside = collections.defaultdict(list)
         for (a, b), count in uses.items():

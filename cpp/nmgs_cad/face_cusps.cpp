@@ -3,6 +3,9 @@
 
 #include "nmgs/support/vec3.h"
 
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +32,8 @@ bool sharp(const EdgeUse &before, const EdgeUse &use) {
 }
 
 // The length at which a quad fits into the corner at the start of use u; 0 where it is no cusp.
-double tip_length(const FaceLoop &loop, std::size_t u, const EdgeSizes &sizes) {
+double tip_length(const CadShape &shape, int face, const FaceLoop &loop, std::size_t u,
+                  const EdgeSizes &sizes) {
     constexpr double wanted = 0.213; // radians, of the chords
     constexpr double least = 0.02;   // share of the shorter edge
     constexpr double step = 1.01;
@@ -51,8 +55,16 @@ double tip_length(const FaceLoop &loop, std::size_t u, const EdgeSizes &sizes) {
     double best = 0;
     double widest = 0;
     double narrowest = wanted;
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(shape.face(face), properties);
+    const double area = std::abs(properties.Mass());
     for (double s = least * shorter; s <= most && widest < wanted; s *= step) {
         const double a = angle(s);
+        // Between a tangent and an arc the chord is off by the area of a segment of the circle.
+        constexpr double share = 0.01;
+        if (s * s * a / 6 > share * area) {
+            break;
+        }
         narrowest = std::min(narrowest, a);
         if (a > widest) {
             widest = a;
@@ -64,13 +76,13 @@ double tip_length(const FaceLoop &loop, std::size_t u, const EdgeSizes &sizes) {
 
 } // namespace
 
-bool size_cusps(const FaceLoops &loops, EdgeSizes &sizes) {
+bool size_cusps(const CadShape &shape, int face, const FaceLoops &loops, EdgeSizes &sizes) {
     bool any = false;
     for (const FaceLoop &loop : loops.loops) {
         for (std::size_t u = 0; u < loop.size(); ++u) {
             const EdgeUse &use = loop[u];
             const EdgeUse &before = loop[(u + loop.size() - 1) % loop.size()];
-            const double length = tip_length(loop, u, sizes);
+            const double length = tip_length(shape, face, loop, u, sizes);
             if (!(length > 0)) {
                 continue;
             }
@@ -87,7 +99,7 @@ bool size_cusps(const FaceLoops &loops, EdgeSizes &sizes) {
 }
 
 void size_as_elements(const FaceLoops &loops, EdgeSizes &sizes, double longest) {
-    constexpr double turn = 0.3; // along a segment, in radians
+    constexpr double turn = 0.18; // along a segment, in radians
     for (const FaceLoop &loop : loops.loops) {
         for (const EdgeUse &use : loop) {
             if (use.degenerated) {

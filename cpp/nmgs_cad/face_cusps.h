@@ -8,9 +8,10 @@ namespace nmgs::cad {
 
 // Sets the lengths of the segments at cusps (EdgeSize::tip): the same on both edges, as short as
 // the angle between the chords is wide enough for a good quad in the tip, or where it is widest. A
-// corner between straight edges is no cusp, however sharp: there all lengths have one angle.
-// Whether the face has any.
-bool size_cusps(const FaceLoops &loops, EdgeSizes &sizes);
+// corner between straight edges is no cusp, however sharp: there all lengths have one angle. Nor so
+// long that the chords take or leave more than a hundredth of the face's area. Whether the face has
+// any.
+bool size_cusps(const CadShape &shape, int face, const FaceLoops &loops, EdgeSizes &sizes);
 
 // Sizes of a face with cusps as its final elements: what goes through the quad in a tip is not
 // divided any further. longest: of a segment.

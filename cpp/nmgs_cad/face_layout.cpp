@@ -20,7 +20,7 @@ namespace {
 
 // Two loops that ask for numbers of segments that are not too different.
 bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
-    if (loops.loops.size() != 2 || !loops.inner.empty()) {
+    if (loops.loops.size() != 2 || !loops.inner.empty() || !loops.points.empty()) {
         return false;
     }
     std::array<double, 2> segments{0, 0};
@@ -61,7 +61,7 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     for (FacePlan &plan : plans) {
         poll(progress, 0);
         Refusal refusal;
-        plan.cusps = size_cusps(plan.loops, sizes);
+        plan.cusps = size_cusps(shape, plan.face, plan.loops, sizes);
         if (plan.cusps) {
             size_as_elements(plan.loops, sizes, element_size(shape, options));
         } else {
@@ -114,6 +114,13 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
         BoundaryNode end = nodes_along(shape, back, layout).front();
         line.push_back(end);
         inner.push_back(std::move(line));
+    }
+    for (const int n : plan.loops.points) {
+        BoundaryNode node;
+        node.point = layout.vertex(shape, n);
+        node.at = shape.point(n);
+        node.uv = surface.nearest(node.at, 0.5 * (surface.low() + surface.high()));
+        inner.push_back({node});
     }
     constexpr double good = 0.3;
     std::optional<FaceMesh> best;

@@ -120,14 +120,14 @@ double interior_angle(const CadShape &shape, const FaceSurface &surface, const E
         angle = pi - turn(direction(before, true), direction(use, false),
                           {0, 0, surface.reversed() ? -1.0 : 1.0});
     } else {
-        const Vec3 corner = use.start;
         // Chords, longer ones where the curves run back on themselves and only their bend tells
         // on which side the face is.
         double back = 1;
         double ahead = 1;
         for (const double s : {1e-4, 1e-2, 5e-2, 0.2}) {
-            const Vec3 in = corner - point_at(shape, before, 1 - back * s);
-            const Vec3 out = point_at(shape, use, ahead * s) - corner;
+            // From the curves' own ends: the vertex is near these, maybe not near enough.
+            const Vec3 in = point_at(shape, before, 1) - point_at(shape, before, 1 - back * s);
+            const Vec3 out = point_at(shape, use, ahead * s) - point_at(shape, use, 0);
             angle = pi - turn(in, out, normal);
             if (angle > 1e-2 && angle < 2 * pi - 1e-2) {
                 break;
@@ -157,6 +157,9 @@ std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &re
     FaceLoops result;
     bool closed = true;
     for (TopoDS_Iterator wire(forward); wire.More(); wire.Next()) {
+        if (wire.Value().ShapeType() == TopAbs_VERTEX) {
+            result.points.push_back(shape.vertices.FindIndex(wire.Value()));
+        }
         if (wire.Value().ShapeType() != TopAbs_WIRE) {
             continue;
         }

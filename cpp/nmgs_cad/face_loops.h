@@ -43,6 +43,8 @@ struct FaceLoops {
     std::vector<FaceLoop> loops;
     // Edges that lie inside the face and bound nothing.
     std::vector<EdgeUse> inner;
+    // VertexN that lie inside the face, on no edge of it.
+    std::vector<int> points;
 };
 
 // The face's own orientation counts. None, and why, when the boundary does not close, the face has

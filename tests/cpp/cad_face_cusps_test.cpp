@@ -94,7 +94,7 @@ TEST(FaceCusps, SegmentsAreAsLongAsTheChordsAngleAsks) {
     for (int e = 1; e <= 4; ++e) {
         sizes[e] = size_of_edge(shape, e, {});
     }
-    ASSERT_TRUE(size_cusps(*loops, sizes));
+    ASSERT_TRUE(size_cusps(shape, 1, *loops, sizes));
     double tips = 0;
     for (const auto &[edge, size] : sizes) {
         for (const double tip : size.tip) {
@@ -127,7 +127,7 @@ TEST(FaceCusps, ASharpCornerOfStraightEdgesIsNone) {
     for (int e = 1; e <= 3; ++e) {
         sizes[e] = size_of_edge(shape, e, {});
     }
-    EXPECT_FALSE(size_cusps(*loops, sizes));
+    EXPECT_FALSE(size_cusps(shape, 1, *loops, sizes));
 }
 
 TEST(FaceCusps, TheMeshIsGoodInTheTip) {

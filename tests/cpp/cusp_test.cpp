@@ -31,7 +31,7 @@ std::vector<Vec3> straight(std::array<Vec3, 4> p) {
 }
 
 TEST(Cusp, IsWhereSidesTouchAndCornersDoNot) {
-    EXPECT_TRUE(ends_in_cusp(tip(0.5)));
+    EXPECT_TRUE(ends_in_cusp(tip(0.4)));
     EXPECT_FALSE(ends_in_cusp(straight({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}})));
     // A wedge has one angle however finely it is divided.
     EXPECT_FALSE(ends_in_cusp(straight({{{0, 0, 0}, {1, 0, 0}, {1.1, 0.05, 0}, {1, 0.1, 0}}})));
@@ -43,10 +43,10 @@ TEST(Cusp, IsWhereSidesTouchAndCornersDoNot) {
 TEST(Cusp, KeepsOneDivision) {
     BlockModel model;
     model.dimension = 2;
-    model.nodes = tip(0.5);
+    model.nodes = tip(0.4);
     model.divisions = {{1, 1, 0}};
     const Topology topology = find_topology(model);
-    const auto by_default = default_divisions(model, topology, 0.05);
+    const auto by_default = default_divisions(model, topology, 0.2);
     const auto by_size = solve_divisions(model, topology, {}, 0.05);
     const std::array<DivisionWish, 1> wish{{{0, 0, 3, true}}};
     for (std::size_t d = 0; d < 2; ++d) {

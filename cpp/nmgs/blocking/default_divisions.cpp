@@ -25,7 +25,7 @@ double turn(Vec3 low, Vec3 middle, Vec3 high) {
 }
 
 // What a chain needs: the longest edge, the largest turn, and that divided by the angle allowed.
-// single: a patch of it ends in a cusp and stays whole.
+// single: a patch of it ends in a cusp and stays whole, if the others do with that.
 struct Needs {
     std::vector<double> length, angles;
     std::vector<char> single;
@@ -140,9 +140,14 @@ Divisions divide(const BlockModel &model, const Chains &chains, const Needs &nee
     const auto n = static_cast<std::size_t>(model.dimension);
     for (std::size_t at = 0; at < chains.chain.size(); ++at) {
         const auto chain = static_cast<std::size_t>(chains.chain[at]);
-        const double wanted = needs.single[chain] != 0 ? 1
-                                                       : std::max(needs.length[chain] / size,
-                                                                  needs.angles[chain] / coarser);
+        double wanted = std::max(needs.length[chain] / size, needs.angles[chain] / coarser);
+        if (needs.single[chain] != 0) {
+            // As few as will do for what else is on the chain.
+            constexpr double longer = 6;
+            constexpr double bent = 2.6;
+            wanted = std::max(needs.length[chain] / (longer * size),
+                              needs.angles[chain] / (bent * coarser));
+        }
         constexpr double most = 1e6;
         result[at / n][at % n] =
             std::max(1, static_cast<std::int32_t>(std::ceil(std::min(wanted, most) - 1e-9)));
