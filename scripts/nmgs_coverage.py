@@ -366,12 +366,15 @@ class FaceCheck(Check):
         faces_of = collections.Counter()
         for name in self.names:
             face = self.shape.Faces[int(name[4:]) - 1]
+            ordered = [self.number_of_edge(e) for wire in face.Wires for e in wire.OrderedEdges]
+            # A seam counts twice, and so does an edge inside the face: both its sides are of the
+            # one face. (OpenCASCADE's own test takes an edge between two faces on one surface for a
+            # seam, and its walk goes along the boundary only; a face that is itself "Internal"
+            # hands that on to its edges, and then there is nothing to walk along.)
             for edge in face.Edges:
-                # A seam and an edge inside the face count twice: both sides are of the one face.
-                # (A face that is itself "Internal" hands that on to all its edges.)
+                number = self.number_of_edge(edge)
                 inner = edge.Orientation == "Internal" and face.Orientation != "Internal"
-                twice = edge.isSeam(face) or inner
-                faces_of[self.number_of_edge(edge)] += 2 if twice else 1
+                faces_of[number] += 2 if inner else max(1, ordered.count(number))
         beside = collections.defaultdict(list)
         for (a, b), count in uses.items():
             beside[a].append((b, count))

@@ -14,6 +14,7 @@
 #include <deque>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace nmgs::cad {
 namespace {
@@ -194,10 +195,16 @@ struct Pairing {
     }
 };
 
-std::optional<FaceMesh> attempt(const FaceSurface &surface,
-                                const std::vector<BoundaryLoop> &boundary,
-                                const std::vector<BoundaryLoop> &inner, const Spacing &spacing,
-                                Refusal &refusal) {
+struct Attempt {
+    FaceMesh mesh;
+    double quality; // the worst that could be avoided
+    std::set<std::array<std::int32_t, 2>> kept;
+};
+
+std::optional<Attempt> attempt(const FaceSurface &surface,
+                               const std::vector<BoundaryLoop> &boundary,
+                               const std::vector<BoundaryLoop> &inner, const Spacing &spacing,
+                               Refusal &refusal) {
     const auto triangles = triangulate_face(surface, boundary, inner, spacing, refusal);
     if (!triangles) {
         return std::nullopt;
@@ -223,13 +230,13 @@ std::optional<FaceMesh> attempt(const FaceSurface &surface,
     smooth_quads(plain, surface, 5, 12);
     clean_up_quads(mesh, surface, triangles->kept);
     smooth_quads(mesh, surface, 8, 20);
-    constexpr double good = 0.3;
-    if (worst_avoidable(mesh, surface) < worst_avoidable(plain, surface)) {
+    double quality = worst_avoidable(mesh, surface);
+    const double before = worst_avoidable(plain, surface);
+    if (before > quality) {
         mesh = std::move(plain);
+        quality = before;
     }
-    FaceMesh mended = mesh;
-    repair_quads(mended, surface, triangles->kept, good);
-    return worst_avoidable(mended, surface) >= worst_avoidable(mesh, surface) ? mended : mesh;
+    return Attempt{std::move(mesh), quality, triangles->kept};
 }
 
 } // namespace
@@ -242,8 +249,7 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
     std::optional<FaceMesh> best;
     double best_quality = -2;
     constexpr double good = 0.4;
-    constexpr double fair = 0.22; // of large layouts
-    constexpr std::size_t many = 400;
+    constexpr double fair = 0.25; // of what had to be repaired
     constexpr std::size_t most = 3000;
     std::size_t tried = 0;
     for (const double scale : {1.0, 0.7, 1.4, 0.5, 0.35}) {
@@ -252,17 +258,26 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
             break;
         }
         const Spacing spacing{scale, std::min(options.angle, pi / 4), options.size};
-        auto mesh = attempt(surface, boundary, inner, spacing, refusal);
-        if (!mesh) {
+        auto made = attempt(surface, boundary, inner, spacing, refusal);
+        if (!made) {
             continue;
         }
-        const double quality = worst_avoidable(*mesh, surface);
-        tried += mesh->quads.size();
-        if (quality > best_quality) {
-            best_quality = quality;
-            best = std::move(mesh);
+        tried += made->mesh.quads.size();
+        if (made->quality <= good) {
+            constexpr double wanted = 0.3;
+            FaceMesh mended = made->mesh;
+            repair_quads(mended, surface, made->kept, wanted);
+            const double quality = worst_avoidable(mended, surface);
+            if (quality >= made->quality) {
+                made->quality = quality;
+                made->mesh = std::move(mended);
+            }
         }
-        if (best_quality > (tried > many ? fair : good)) {
+        if (made->quality > best_quality) {
+            best_quality = made->quality;
+            best = std::move(made->mesh);
+        }
+        if (best_quality > fair) {
             break;
         }
     }

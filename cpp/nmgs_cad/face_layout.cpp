@@ -61,13 +61,16 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     for (FacePlan &plan : plans) {
         poll(progress, 0);
         Refusal refusal;
+        plan.give_up();
         plan.cusps = size_cusps(shape, plan.face, plan.loops, sizes);
         if (plan.cusps) {
             size_as_elements(plan.loops, sizes, element_size(shape, options));
-        } else {
+        }
+        const bool general = plan.cusps || plan.poor;
+        if (!general) {
             plan.sides = logical_sides(plan.loops, refusal);
         }
-        if (!plan.sides && !plan.cusps) {
+        if (!plan.sides && !general) {
             plan.corners = midpoint_corners(plan.loops);
             plan.ring = may_be_ring(plan.loops, sizes);
         }
@@ -100,10 +103,18 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     }
 }
 
-// The best quads for a face whose edges are laid out.
-std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
-                  const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
-                  double &quality, const Progress &progress) {
+struct Cover {
+    std::optional<FaceMesh> mesh;
+    std::string method;
+    double avoidable = -2; // the worst that could be avoided
+    double quality = 0;
+};
+
+// The best quads for a face whose edges are laid out. wanted: "auto", "structured" for all but the
+// general strategy, or one by name.
+Cover best_cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
+                 const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
+                 const Progress &progress) {
     const FaceSurface surface(shape.face(plan.face));
     const auto boundary = boundary_of(shape, plan.loops, layout);
     std::vector<BoundaryLoop> inner;
@@ -123,22 +134,22 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
         inner.push_back({node});
     }
     constexpr double good = 0.3;
-    std::optional<FaceMesh> best;
-    std::string method;
-    double best_quality = -2;
+    Cover best;
     const auto consider = [&](std::optional<FaceMesh> mesh, const char *name) {
         if (mesh) {
             const double q = worst_avoidable(*mesh, surface);
-            if (q > best_quality) {
-                best_quality = q;
-                quality = std::min(worst_quality(*mesh), curved_quality(*mesh, surface));
-                method = name;
-                best = std::move(mesh);
+            if (q > best.avoidable) {
+                best.avoidable = q;
+                best.quality = std::min(worst_quality(*mesh), curved_quality(*mesh, surface));
+                best.method = name;
+                best.mesh = std::move(mesh);
             }
         }
     };
     const auto sides = logical_sides(plan.loops, refusal);
-    const auto may = [&](const char *name) { return wanted == "auto" || wanted == name; };
+    const auto may = [&](const std::string &name) {
+        return wanted == "auto" || wanted == name || (wanted == "structured" && name != "general");
+    };
     if (sides && may("mapped")) {
         consider(mapped_quads(surface, *sides, boundary, refusal), "mapped");
     }
@@ -149,17 +160,55 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     if (boundary.size() == 2 && inner.empty() && may("ring")) {
         consider(ring_quads(surface, boundary, refusal), "ring");
     }
-    if (best_quality < good && may("general")) {
+    if (best.avoidable < good && may("general")) {
         LayoutOptions finer = options;
         if (plan.cusps) {
             finer.size = element_size(shape, options);
         }
         consider(general_quads(surface, boundary, inner, finer, refusal, progress), "general");
     }
-    if (best) {
-        put(*best, plan.face, layout);
+    return best;
+}
+
+std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
+                  const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
+                  double &quality, const Progress &progress) {
+    const Cover best = best_cover(shape, plan, layout, options, wanted, refusal, progress);
+    if (best.mesh) {
+        put(*best.mesh, plan.face, layout);
+        quality = best.quality;
     }
-    return method;
+    return best.method;
+}
+
+// Divides the edges, and once more where a face's structured quads turn out poor: it is general
+// then, with edges divided for that.
+void divide_for_the_best(const CadShape &shape, std::vector<FacePlan> &plans, Layout &layout,
+                         const LayoutOptions &options, const Progress &progress) {
+    constexpr double poor = 0.2;
+    Layout trial = layout;
+    divide_edges(shape, plans, trial, options, progress);
+    bool any = false;
+    for (FacePlan &plan : plans) {
+        poll(progress, 0.1);
+        if (plan.general()) {
+            continue;
+        }
+        Refusal refusal;
+        try {
+            plan.poor =
+                best_cover(shape, plan, trial, options, "structured", refusal, progress).avoidable <
+                poor;
+        } catch (const Standard_Failure &) {
+            plan.poor = true;
+        }
+        any = any || plan.poor;
+    }
+    if (any) {
+        divide_edges(shape, plans, layout, options, progress);
+    } else {
+        layout = std::move(trial);
+    }
 }
 
 std::string fail_safe_cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
@@ -191,7 +240,7 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
         return false;
     }
     join_touching_loops(shape, face, *loops);
-    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false, false}};
+    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false, false, false}};
     divide_edges(shape, plans, layout, options, progress);
     double quality = 0;
     return !fail_safe_cover(shape, plans.front(), layout, options, "auto", refusal, quality,
@@ -216,10 +265,14 @@ void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &lay
             refused[face] = refusal;
         } else if (!covered.contains(face)) {
             join_touching_loops(shape, face, *loops);
-            plans.push_back({face, std::move(*loops), std::nullopt, {}, false, false});
+            plans.push_back({face, std::move(*loops), std::nullopt, {}, false, false, false});
         }
     }
-    divide_edges(shape, plans, layout, options, progress);
+    if (method == "auto") {
+        divide_for_the_best(shape, plans, layout, options, progress);
+    } else {
+        divide_edges(shape, plans, layout, options, progress);
+    }
     for (const FacePlan &plan : plans) {
         poll(progress, 0.2 + 0.8 * static_cast<double>(&plan - plans.data()) /
                                  static_cast<double>(plans.size()));

@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace nmgs::cad {
 namespace {
@@ -211,6 +212,16 @@ std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &re
                    {name}};
         return std::nullopt;
     }
+    std::set<int> at_edges;
+    const auto note = [&](const EdgeUse &use) {
+        at_edges.insert(shape.vertices.FindIndex(TopExp::FirstVertex(shape.edge(use.edge))));
+        at_edges.insert(shape.vertices.FindIndex(TopExp::LastVertex(shape.edge(use.edge))));
+    };
+    std::for_each(result.inner.begin(), result.inner.end(), note);
+    for (const FaceLoop &loop : result.loops) {
+        std::for_each(loop.begin(), loop.end(), note);
+    }
+    std::erase_if(result.points, [&](int n) { return at_edges.contains(n); });
     const FaceSurface surface(original);
     std::vector<double> areas;
     for (FaceLoop &loop : result.loops) {

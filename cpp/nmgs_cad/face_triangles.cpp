@@ -321,7 +321,7 @@ std::optional<FaceTriangles> triangulate_face(const FaceSurface &surface,
             for (const std::int32_t n : numbers[l]) {
                 // Inside the face the tangents of the boundary do not apply.
                 auto &rim = mesh.rim[at(n)];
-                if (rim.angle == pi) {
+                if (rim.angle == pi || rim.angle == 0) {
                     rim.angle = 2 * pi;
                 }
             }

@@ -240,12 +240,17 @@ std::vector<double> errors_of_chains(const CadBlocks &blocks, const Snapped &fin
         double &error = result[static_cast<std::size_t>(chains.chain[d])];
         error = std::max(error, errors[d]);
     }
-    // Halved, a patch that ends in a cusp would be the worse for it.
+    // Halved, a patch that ends in a cusp would be the worse for it: only where the fit is bad.
+    constexpr double patience = 0.1;
+    std::vector<char> cusp(result.size(), 0);
     for (std::size_t b = 0; b < n && dimension == 2; ++b) {
         if (ends_in_cusp(blocks.model.element(b))) {
-            result[static_cast<std::size_t>(chains.chain[2 * b])] = 0;
-            result[static_cast<std::size_t>(chains.chain[2 * b + 1])] = 0;
+            cusp[static_cast<std::size_t>(chains.chain[2 * b])] = 1;
+            cusp[static_cast<std::size_t>(chains.chain[2 * b + 1])] = 1;
         }
+    }
+    for (std::size_t c = 0; c < result.size(); ++c) {
+        result[c] *= cusp[c] != 0 ? patience : 1;
     }
     return result;
 }

@@ -23,7 +23,14 @@ bool ends_in_cusp(std::span<const Vec3> nodes) {
         const Vec3 a = 4 * (nodes[4 + c] - p) - ahead;
         const Vec3 b = 4 * (nodes[4 + (c + 3) % 4] - p) - back;
         const double tangents = std::atan2(dot(cross(a, b), normal) / norm(normal), dot(a, b));
-        if (tangents < sharp && tangents < bent * chords) {
+        // Where the sides themselves turn sharply the patch is too coarse to tell.
+        const auto turn = [&](Vec3 start, Vec3 chord) {
+            const Vec3 end = 2 * chord - start;
+            return std::atan2(norm(cross(start, end)), dot(start, end));
+        };
+        constexpr double most_turn = 0.55;
+        if (tangents < sharp && tangents < bent * chords && turn(a, ahead) < most_turn &&
+            turn(b, back) < most_turn) {
             return true;
         }
     }
