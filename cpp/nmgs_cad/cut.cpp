@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cut.h"
 
+#include "nmgs_cad/cut_to_sweep.h"
 #include "nmgs_cad/edge_curve.h"
 #include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/midpoint.h"
@@ -130,6 +131,10 @@ bool fill_cut(const CadShape &shape, int solid, Layout &layout, const LayoutOpti
                        " faces, too many for a search over cuts",
                    {entity_name(3, solid)}};
         return false;
+    }
+    Refusal no_sweeps;
+    if (fill_cut_to_sweep(shape, solid, layout, options, no_sweeps, progress)) {
+        return true;
     }
     auto state = make_state(shape, solids, {}, refusal);
     if (!state) {

@@ -21,6 +21,7 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     constexpr std::size_t enough = 3000; // hexahedra: no finer than this
     std::optional<Layout> best;
     double quality = -2;
+    // What neighbours have laid out may ask for a finer layout than the first.
     for (const Step &step : steps) {
         poll(progress, 0.0);
         LayoutOptions finer = options;
@@ -32,7 +33,7 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
         Layout trial = layout;
         Refusal why;
         if (!fill(trial, finer, why)) {
-            if (!best) {
+            if (!best && &step != &steps[0]) {
                 refusal = why;
                 return false;
             }
