@@ -21,7 +21,6 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -180,51 +179,41 @@ void layout_inner_faces(const Pieces &pieces, double segments, Layout &layout,
     layout_faces(pieces.cad, faces, layout, finer, report, progress);
 }
 
-// Fills the pieces in one order or the other, and with more or fewer segments along the edges
-// between them; the best.
+// Fills the pieces one after the other: with what lies between them laid out first, else as they
+// come.
 std::optional<Layout> fill_pieces(const Pieces &pieces, const LayoutOptions &options,
                                   Refusal &refusal, const Progress &progress) {
     constexpr double good = 0.3;
     constexpr double least = 0.2;
-    std::vector<int> order(static_cast<std::size_t>(pieces.cad.solids.Extent()));
-    std::iota(order.begin(), order.end(), 1);
+    SolidLayoutOptions without_cuts;
+    without_cuts.layout = options;
+    without_cuts.cuts = false;
     std::optional<Layout> best;
     double quality = least;
-    for (const double segments : {4.0, 2.0, 0.0}) {
-        for (int turn = 0; turn < (segments > 0 ? 1 : 2); ++turn) {
-            SolidLayoutOptions without_cuts;
-            without_cuts.layout = options;
-            without_cuts.cuts = false;
-            Layout layout(pieces.cad);
-            if (segments > 0) {
-                layout_inner_faces(pieces, segments, layout, options, progress);
-            }
-            const FitEntry *none = nullptr;
-            std::vector<FitEntry> report;
-            for (const int n : order) {
-                report = layout_solids(pieces.cad, {&n, 1}, layout, without_cuts, progress);
-                if (report.front().method.empty()) {
-                    none = &report.front();
-                    break;
-                }
-            }
-            std::reverse(order.begin(), order.end());
-            if (none != nullptr) {
-                refusal = {"a piece cannot be filled: " + none->reason, {}};
-                continue;
-            }
-            const double worst = layout_quality(pieces.cad, layout).worst;
-            if (worst > quality) {
-                quality = worst;
-                best = std::move(layout);
-            }
-            if (quality > good) {
-                return best;
+    for (const double segments : {4.0, 0.0}) {
+        Layout layout(pieces.cad);
+        if (segments > 0) {
+            layout_inner_faces(pieces, segments, layout, options, progress);
+        }
+        bool filled = true;
+        for (int n = 1; filled && n <= pieces.cad.solids.Extent(); ++n) {
+            const auto report =
+                layout_solids(pieces.cad, {&n, 1}, layout, without_cuts, progress).front();
+            filled = !report.method.empty() && report.quality > least;
+            if (!filled) {
+                refusal = {report.method.empty() ? "a piece cannot be filled: " + report.reason
+                                                 : "a piece cannot be filled well",
+                           {}};
             }
         }
-    }
-    if (!best) {
-        refusal = {"its pieces cannot be filled well: " + refusal.reason, {}};
+        const double worst = filled ? layout_quality(pieces.cad, layout).worst : 0;
+        if (worst > quality) {
+            quality = worst;
+            best = std::move(layout);
+        }
+        if (quality > good) {
+            break;
+        }
     }
     return best;
 }
