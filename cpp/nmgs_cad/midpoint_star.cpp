@@ -6,9 +6,10 @@
 #include "nmgs_cad/face_projection.h"
 
 #include <array>
+#include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <map>
-#include <memory>
 
 namespace nmgs::cad {
 namespace {
@@ -51,6 +52,7 @@ struct Star {
         triangles.push_back({corners, centre});
     }
     void cover(const FaceSides &face);
+    [[nodiscard]] Vec3 middle() const;
     void fill();
 };
 
@@ -78,13 +80,35 @@ void Star::cover(const FaceSides &face) {
     }
 }
 
-void Star::fill() {
-    Vec3 sum{};
+// A place far from all triangles' planes: from the mean of their centres, away from the nearest
+// again and again, by less and less.
+Vec3 Star::middle() const {
+    Vec3 place{};
     for (const Triangle &t : triangles) {
-        sum += layout.points[at(t.centre)];
+        place += 1.0 / static_cast<double>(triangles.size()) * layout.points[at(t.centre)];
     }
+    double step = 0;
+    for (int round = 0; round < 100; ++round) {
+        double least = std::numeric_limits<double>::infinity();
+        Vec3 inward{};
+        for (const Triangle &t : triangles) {
+            const Vec3 a = layout.points[at(t.corners[0])];
+            const Vec3 n =
+                cross(layout.points[at(t.corners[2])] - a, layout.points[at(t.corners[1])] - a);
+            if (norm(n) > 0 && dot(place - a, unit(n)) < least) {
+                least = dot(place - a, unit(n));
+                inward = unit(n);
+            }
+        }
+        step = round == 0 ? 0.5 * std::abs(least) : 0.95 * step;
+        place += step * inward;
+    }
+    return place;
+}
+
+void Star::fill() {
     const auto inner = [&](Vec3 p) { return layout.add_point(p, {3, solid}); };
-    const auto apex = inner(1.0 / static_cast<double>(triangles.size()) * sum);
+    const auto apex = inner(middle());
     std::map<std::int32_t, std::int32_t> half; // between a corner and the apex
     std::map<Pair, std::int32_t> wall;         // between two corners and the apex
     for (const Triangle &t : triangles) {
@@ -101,18 +125,18 @@ void Star::fill() {
     }
     for (const Triangle &t : triangles) {
         const auto [a, b, c] = t.corners;
-        const auto middle = inner(mean({a, b, c, apex}));
+        const auto inside = inner(mean({a, b, c, apex}));
         for (std::size_t i = 0; i < 3; ++i) {
             const auto p = t.corners[i];
             const auto q = t.corners[(i + 1) % 3];
             const auto r = t.corners[(i + 2) % 3];
             layout.hexas.push_back(
                 {{p, middles.at(ascending(p, r)), t.centre, middles.at(ascending(p, q)), half[p],
-                  wall[ascending(p, r)], middle, wall[ascending(p, q)]},
+                  wall[ascending(p, r)], inside, wall[ascending(p, q)]},
                  solid});
         }
         layout.hexas.push_back({{apex, half[a], wall[ascending(a, b)], half[b], half[c],
-                                 wall[ascending(a, c)], middle, wall[ascending(b, c)]},
+                                 wall[ascending(a, c)], inside, wall[ascending(b, c)]},
                                 solid});
     }
 }
