@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cut.h"
 
+#include "nmgs_cad/cut_to_sweep.h"
 #include "nmgs_cad/edge_curve.h"
 #include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/midpoint.h"
@@ -200,6 +201,11 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
     const double quality = cut_by_covers(shape, solids, *state, wholesale, options, work, progress);
     if (quality >= good) {
         layout = std::move(wholesale);
+        return true;
+    }
+    Refusal no_sweeps;
+    if (solids.size() == 1 &&
+        fill_cut_to_sweep(shape, solids[0], layout, options, no_sweeps, progress)) {
         return true;
     }
     double lowest = state->weight;

@@ -95,7 +95,9 @@ TEST(SolidLayout, CutsGoThroughSolidsThatTouch) {
         imprinted({BRepAlgoAPI_Cut(box(-1, -1, -1, 2, 2, 2), ball).Shape(), ball});
     ASSERT_EQ(shape.solids.Extent(), 2);
     Layout layout(shape);
-    const auto report = layout_solids(shape, all_of(shape), layout);
+    SolidLayoutOptions options;
+    options.method = "cut";
+    const auto report = layout_solids(shape, all_of(shape), layout, options);
     for (const FitEntry &entry : report) {
         EXPECT_EQ(entry.method, "cut") << entry.reason;
         EXPECT_GT(entry.quality, 0.2);
