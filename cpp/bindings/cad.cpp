@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "arrays.h"
 #include "block_model.h"
+#include "cad_cuts.h"
 #include "cad_fit.h"
 #include "cad_refit.h"
 #include "cad_tessellate.h"
@@ -140,6 +141,7 @@ PYBIND11_MODULE(cad, module) {
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none(), py::arg("corners") = py::none());
+    bind_cuts(module);
     bind_refit(module);
     bind_tessellate(module);
     bind_tets(module);

@@ -6,6 +6,7 @@
 #include "nmgs/support/at.h"
 #include "nmgs_cad/face_triangles.h"
 #include "nmgs_cad/quad_cleanup.h"
+#include "nmgs_cad/quad_repair.h"
 #include "nmgs_cad/quad_smoothing.h"
 
 #include <algorithm>
@@ -220,12 +221,15 @@ std::optional<FaceMesh> attempt(const FaceSurface &surface,
     }
     FaceMesh plain = mesh;
     smooth_quads(plain, surface, 5, 12);
-    if (!inner.empty() || !triangles->kept.empty()) {
-        return plain; // edges on CAD inside must stay
-    }
-    clean_up_quads(mesh, surface);
+    clean_up_quads(mesh, surface, triangles->kept);
     smooth_quads(mesh, surface, 8, 20);
-    return worst_avoidable(mesh, surface) >= worst_avoidable(plain, surface) ? mesh : plain;
+    constexpr double good = 0.3;
+    if (worst_avoidable(mesh, surface) < worst_avoidable(plain, surface)) {
+        mesh = std::move(plain);
+    }
+    FaceMesh mended = mesh;
+    repair_quads(mended, surface, triangles->kept, good);
+    return worst_avoidable(mended, surface) >= worst_avoidable(mesh, surface) ? mended : mesh;
 }
 
 } // namespace

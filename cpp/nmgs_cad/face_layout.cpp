@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_layout.h"
 
+#include "nmgs_cad/face_cusps.h"
 #include "nmgs_cad/face_general.h"
 #include "nmgs_cad/face_intervals.h"
 #include "nmgs_cad/face_mapped.h"
@@ -19,7 +20,7 @@ namespace {
 
 // Two loops that ask for numbers of segments that are not too different.
 bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
-    if (loops.loops.size() != 2 || !loops.inner.empty()) {
+    if (loops.loops.size() != 2 || !loops.inner.empty() || !loops.points.empty()) {
         return false;
     }
     std::array<double, 2> segments{0, 0};
@@ -33,6 +34,12 @@ bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
     }
     constexpr double most = 2.5;
     return segments[0] <= most * segments[1] && segments[1] <= most * segments[0];
+}
+
+// Of a face that is laid out in elements.
+double element_size(const CadShape &shape, const LayoutOptions &options) {
+    const double size = shape.diagonal() / 30;
+    return options.size > 0 ? std::min(options.size, size) : size;
 }
 
 // Divides the edges of the plans that are not laid out yet.
@@ -54,8 +61,13 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     for (FacePlan &plan : plans) {
         poll(progress, 0);
         Refusal refusal;
-        plan.sides = logical_sides(plan.loops, refusal);
-        if (!plan.sides) {
+        plan.cusps = size_cusps(shape, plan.face, plan.loops, sizes);
+        if (plan.cusps) {
+            size_as_elements(plan.loops, sizes, element_size(shape, options));
+        } else {
+            plan.sides = logical_sides(plan.loops, refusal);
+        }
+        if (!plan.sides && !plan.cusps) {
             plan.corners = midpoint_corners(plan.loops);
             plan.ring = may_be_ring(plan.loops, sizes);
         }
@@ -103,6 +115,13 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
         line.push_back(end);
         inner.push_back(std::move(line));
     }
+    for (const int n : plan.loops.points) {
+        BoundaryNode node;
+        node.point = layout.vertex(shape, n);
+        node.at = shape.point(n);
+        node.uv = surface.nearest(node.at, 0.5 * (surface.low() + surface.high()));
+        inner.push_back({node});
+    }
     constexpr double good = 0.3;
     std::optional<FaceMesh> best;
     std::string method;
@@ -131,7 +150,11 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
         consider(ring_quads(surface, boundary, refusal), "ring");
     }
     if (best_quality < good && may("general")) {
-        consider(general_quads(surface, boundary, inner, options, refusal, progress), "general");
+        LayoutOptions finer = options;
+        if (plan.cusps) {
+            finer.size = element_size(shape, options);
+        }
+        consider(general_quads(surface, boundary, inner, finer, refusal, progress), "general");
     }
     if (best) {
         put(*best, plan.face, layout);
@@ -167,7 +190,8 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
     if (!loops) {
         return false;
     }
-    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false}};
+    join_touching_loops(shape, face, *loops);
+    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false, false}};
     divide_edges(shape, plans, layout, options, progress);
     double quality = 0;
     return !fail_safe_cover(shape, plans.front(), layout, options, "auto", refusal, quality,
@@ -191,7 +215,8 @@ void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &lay
         if (!loops) {
             refused[face] = refusal;
         } else if (!covered.contains(face)) {
-            plans.push_back({face, std::move(*loops), std::nullopt, {}, false});
+            join_touching_loops(shape, face, *loops);
+            plans.push_back({face, std::move(*loops), std::nullopt, {}, false, false});
         }
     }
     divide_edges(shape, plans, layout, options, progress);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/refine.h"
 
+#include "nmgs/blocking/cusp.h"
 #include "nmgs/blocking/divisions.h"
 #include "nmgs/blocking/generate.h"
 #include "nmgs/element/hexa20.h"
@@ -238,6 +239,13 @@ std::vector<double> errors_of_chains(const CadBlocks &blocks, const Snapped &fin
     for (std::size_t d = 0; d < errors.size(); ++d) {
         double &error = result[static_cast<std::size_t>(chains.chain[d])];
         error = std::max(error, errors[d]);
+    }
+    // Halved, a patch that ends in a cusp would be the worse for it.
+    for (std::size_t b = 0; b < n && dimension == 2; ++b) {
+        if (ends_in_cusp(blocks.model.element(b))) {
+            result[static_cast<std::size_t>(chains.chain[2 * b])] = 0;
+            result[static_cast<std::size_t>(chains.chain[2 * b + 1])] = 0;
+        }
     }
     return result;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cut.h"
+#include "nmgs_cad/cut_list.h"
 #include "nmgs_cad/split.h"
 
 #include "cad_layout_checks.h"
@@ -139,6 +140,29 @@ TEST(Cut, ObstaclesAreTheConcaveEdges) {
         EXPECT_GE(c.resolves, 1);
     }
     EXPECT_TRUE(propose_cuts(make_shape(box(0, 0, 0, 1, 2, 3)), 1).empty());
+}
+
+TEST(Cut, FiguresAreThoseOfTheProposals) {
+    const CadShape shape =
+        make_shape(cut(box(-2, -2, 0, 4, 4, 1), cylinder(gp_Pnt(0, 0, -1), gp_Dir(0, 0, 1), 1, 3)));
+    const auto cuts = propose_cuts(shape, 1);
+    const auto figures = cut_list(shape, 1);
+    ASSERT_EQ(figures.size(), cuts.size());
+    for (std::size_t n = 0; n < cuts.size(); ++n) {
+        EXPECT_EQ(figures[n].name, cuts[n].name);
+        EXPECT_EQ(figures[n].radius > 0, cuts[n].cylinder);
+        EXPECT_NEAR(norm(figures[n].direction), 1, 1e-12);
+        // On the axis or plane, and nearest to the middle of the box, (0, 0, 1/2).
+        const gp_Vec apart(cuts[n].place.Location(),
+                           gp_Pnt(figures[n].origin.x, figures[n].origin.y, figures[n].origin.z));
+        const gp_Vec along(cuts[n].place.Direction());
+        EXPECT_NEAR(cuts[n].cylinder ? apart.Crossed(along).Magnitude() : apart.Dot(along), 0,
+                    1e-9);
+        const nmgs::Vec3 rest = figures[n].origin - nmgs::Vec3{0, 0, 0.5};
+        EXPECT_NEAR(cuts[n].cylinder ? dot(rest, figures[n].direction)
+                                     : norm(cross(rest, figures[n].direction)),
+                    0, 1e-6);
+    }
 }
 
 TEST(Cut, FillsStepsBossesAndHoles) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/blocking/default_divisions.h"
 
+#include "nmgs/blocking/cusp.h"
 #include "nmgs/blocking/divisions.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
@@ -24,8 +25,10 @@ double turn(Vec3 low, Vec3 middle, Vec3 high) {
 }
 
 // What a chain needs: the longest edge, the largest turn, and that divided by the angle allowed.
+// single: a patch of it ends in a cusp and stays whole, if the others do with that.
 struct Needs {
     std::vector<double> length, angles;
+    std::vector<char> single;
 };
 
 Vec3 place(const BlockModel &model, std::size_t block, const std::array<double, 3> &t) {
@@ -37,7 +40,8 @@ Vec3 place(const BlockModel &model, std::size_t block, const std::array<double, 
 Needs needs_of(const BlockModel &model, const Chains &chains, const DefaultDivisions &options) {
     const auto count = static_cast<std::size_t>(chains.count);
     const auto n = static_cast<std::size_t>(model.dimension);
-    Needs needs{std::vector<double>(count, 0), std::vector<double>(count, 0)};
+    Needs needs{std::vector<double>(count, 0), std::vector<double>(count, 0),
+                std::vector<char>(count, 0)};
     for (std::size_t b = 0; b < model.size(); ++b) {
         const auto chain = [&](std::size_t d) {
             return static_cast<std::size_t>(chains.chain[b * n + d]);
@@ -45,6 +49,9 @@ Needs needs_of(const BlockModel &model, const Chains &chains, const DefaultDivis
         for (std::size_t d = 0; d < n; ++d) {
             double &length = needs.length[chain(d)];
             length = std::max(length, direction_length(model, b, static_cast<int>(d)).longest);
+        }
+        if (n == 2 && ends_in_cusp(model.element(b))) {
+            needs.single[chain(0)] = needs.single[chain(1)] = 1;
         }
         // Each face: along its rims and its middle lines.
         for (std::size_t w = 0; w < 3; ++w) {
@@ -133,7 +140,14 @@ Divisions divide(const BlockModel &model, const Chains &chains, const Needs &nee
     const auto n = static_cast<std::size_t>(model.dimension);
     for (std::size_t at = 0; at < chains.chain.size(); ++at) {
         const auto chain = static_cast<std::size_t>(chains.chain[at]);
-        const double wanted = std::max(needs.length[chain] / size, needs.angles[chain] / coarser);
+        double wanted = std::max(needs.length[chain] / size, needs.angles[chain] / coarser);
+        if (needs.single[chain] != 0) {
+            // As few as will do for what else is on the chain.
+            constexpr double longer = 6;
+            constexpr double bent = 2.6;
+            wanted = std::max(needs.length[chain] / (longer * size),
+                              needs.angles[chain] / (bent * coarser));
+        }
         constexpr double most = 1e6;
         result[at / n][at % n] =
             std::max(1, static_cast<std::int32_t>(std::ceil(std::min(wanted, most) - 1e-9)));
@@ -173,8 +187,10 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     const auto n = static_cast<std::size_t>(model.dimension);
     const auto most = static_cast<double>(
         std::max<std::int64_t>(options.most_cells, static_cast<std::int64_t>(model.size())));
-    // Blocks by the thousand are small already.
-    if (model.size() >= options.many_blocks) {
+    // Blocks by the thousand are small already. Patches come by the thousand from shapes with many
+    // faces, each of which is structured.
+    const bool many = model.dimension == 3 && model.size() >= options.many_blocks;
+    if (many) {
         std::fill(needs.length.begin(), needs.length.end(), 0.0);
     }
     // A chain goes through most of the blocks that come from no structured strategy: finer elements
@@ -185,7 +201,7 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
             unstructured.push_back(b);
         }
     }
-    if (unstructured.size() >= options.many_blocks) {
+    if (many && unstructured.size() >= options.many_blocks) {
         std::vector<char> done(needs.angles.size(), 0);
         for (const std::size_t b : unstructured) {
             for (std::size_t d = 0; d < n; ++d) {

@@ -47,8 +47,8 @@ def fit(
     if tolerance is not None and not tolerance > 0:
         raise ValueError(f"tolerance: expected a length above 0, got {tolerance!r}")
     part = as_shape(shape)
-    dimension, indices = _picked(part, entities)
-    _check_valid(part, dimension, indices)
+    dimension, indices = picked(part, entities)
+    check_valid(part, dimension, indices)
     kernel = _kernel.cad()
     cad_shape = kernel.CadShape(brep_bytes(part))
     accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
@@ -86,6 +86,8 @@ def default_divisions(model: BlockModel) -> None:
     the shape's diagonal that turn by ten degrees at most and keep each solid's volume, and no more
     than 200 000 of them."""
     link: CadLink = model.cad  # type: ignore[assignment]
+    if link.whole is not None and link.whole.all():
+        return
     part = np.zeros(len(model.nodes), np.int32)
     for n, entry in enumerate(model.report):
         part[entry["first_block"] : entry["first_block"] + entry["blocks"]] = n
@@ -232,7 +234,7 @@ def brep_bytes(shape: Any) -> bytes:
     return shape.exportBrepToString().encode("ascii")
 
 
-def _picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int]]:
+def picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int]]:
     counts = {"Solid": len(shape.Solids), "Face": len(shape.Faces)}
     if entities is None:
         kind = "Solid" if counts["Solid"] else "Face"
@@ -257,7 +259,7 @@ def _picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[in
     return (3 if kinds == {"Solid"} else 2), indices
 
 
-def _check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
+def check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
     parts = shape.Solids if dimension == 3 else shape.Faces
     kind = "Solid" if dimension == 3 else "Face"
     bad = [f"{kind}{n}" for n in indices if not parts[n - 1].isValid()]
