@@ -88,18 +88,16 @@ std::vector<int> obstacles(const CadShape &shape, int solid) {
 
 namespace {
 
-// What it takes to look at pieces, in plane faces; others take longer to intersect.
+// What it takes to look at pieces, in plain faces; others take longer to intersect.
 int work_of(const Pieces &pieces) {
     int work = 0;
     for (int f = 1; f <= pieces.cad.faces.Extent(); ++f) {
         switch (BRepAdaptor_Surface(pieces.cad.face(f), Standard_False).GetType()) {
         case GeomAbs_Plane:
-            work += 1;
-            break;
         case GeomAbs_Cylinder:
         case GeomAbs_Cone:
         case GeomAbs_Sphere:
-            work += 2;
+            work += 1;
             break;
         default:
             work += 8;
@@ -202,7 +200,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
     constexpr int patient = 3;
     constexpr std::size_t tries = 10; // of the most promising cuts
     // Faces of all the pieces that are looked at: the work, whatever the machine's speed.
-    constexpr int most_work = 5000;
+    constexpr int most_work = 3000;
     int own_work = most_work;
     int &work = options.cut_work != nullptr ? *options.cut_work : own_work;
     // The pieces after a few cuts may do for other strategies as they are.
@@ -272,7 +270,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
                 found[n].pieces.cad.solids.Extent() > few_pieces) {
                 continue;
             }
-            constexpr int dear = 5; // strategies take longer than a look
+            constexpr int dear = 2; // strategies take longer than a look
             work -= dear * work_of(found[n].pieces);
             Layout of_pieces(found[n].pieces.cad);
             Layout result = layout;

@@ -381,8 +381,8 @@ std::vector<FitEntry> layout_solids(const CadShape &shape, std::span<const int> 
     const auto groups = easiest_first(shape, solids);
     // Work for searches over cuts: enough for one, a little more for many; each leaves what it does
     // not use to the harder ones that come after it.
-    constexpr int for_one = 5000;
-    constexpr int for_each = 500;
+    constexpr int for_one = 3000;
+    constexpr int for_each = 300;
     int left = for_one + for_each * static_cast<int>(groups.size());
     std::vector<Known> known;
     for (std::size_t g = 0; g < groups.size(); ++g) {
