@@ -8,6 +8,7 @@
 #include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/split.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -88,17 +89,50 @@ std::vector<int> obstacles(const CadShape &shape, int solid) {
 
 namespace {
 
-// Fills the pieces by whatever strategy does each, if all can be filled and well.
-bool fill_by_strategies(const Pieces &pieces, Layout &of_pieces, const LayoutOptions &options,
+// What it takes to look at pieces, in plain faces; others take longer to intersect.
+int work_of(const Pieces &pieces) {
+    int work = 0;
+    for (int f = 1; f <= pieces.cad.faces.Extent(); ++f) {
+        switch (BRepAdaptor_Surface(pieces.cad.face(f), Standard_False).GetType()) {
+        case GeomAbs_Plane:
+        case GeomAbs_Cylinder:
+        case GeomAbs_Cone:
+        case GeomAbs_Sphere:
+            work += 1;
+            break;
+        default:
+            work += 8;
+        }
+    }
+    return work;
+}
+
+// Fills the pieces by whatever strategy does each, if all can be filled and well. Those that have
+// obstacles first, and alone: most often one of these cannot be filled.
+bool fill_by_strategies(const State &state, Layout &of_pieces, const LayoutOptions &options,
                         const Progress &progress) {
+    const Pieces &pieces = state.pieces;
     std::vector<int> all(static_cast<std::size_t>(pieces.cad.solids.Extent()));
     std::iota(all.begin(), all.end(), 1);
     SolidLayoutOptions without_cuts;
     without_cuts.layout = options;
     without_cuts.cuts = false;
     without_cuts.layout.attempts = 2;
-    const auto report = layout_solids(pieces.cad, all, of_pieces, without_cuts, progress);
     constexpr double enough = 0.2;
+    std::vector<std::pair<double, int>> hardest;
+    for (std::size_t i = 0; i < state.bad.size(); ++i) {
+        hardest.emplace_back(-state.obstacles[i].weight, state.bad[i]);
+    }
+    std::sort(hardest.begin(), hardest.end());
+    for (const auto &[weight, solid] : hardest) {
+        Layout alone(pieces.cad);
+        const auto entry =
+            layout_solids(pieces.cad, {&solid, 1}, alone, without_cuts, progress).front();
+        if (entry.method.empty() || entry.quality < enough) {
+            return false;
+        }
+    }
+    const auto report = layout_solids(pieces.cad, all, of_pieces, without_cuts, progress);
     return std::none_of(report.begin(), report.end(),
                         [](const FitEntry &entry) { return entry.method.empty(); }) &&
            layout_quality(pieces.cad, of_pieces).worst > enough;
@@ -135,7 +169,7 @@ double cut_by_covers(const CadShape &shape, std::span<const int> solids, const S
         }
         Refusal ignored;
         auto found = make_state(shape, solids, state, cuts, ignored);
-        work -= (found ? found->pieces.cad : state->pieces.cad).faces.Extent();
+        work -= work_of(found ? found->pieces : state->pieces);
         if (!found || found->pieces.cad.solids.Extent() <= state->pieces.cad.solids.Extent() ||
             found->pieces.cad.solids.Extent() > most_pieces) {
             return -1;
@@ -167,7 +201,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
     constexpr int patient = 3;
     constexpr std::size_t tries = 10; // of the most promising cuts
     // Faces of all the pieces that are looked at: the work, whatever the machine's speed.
-    constexpr int most_work = 5000;
+    constexpr int most_work = 3000;
     int own_work = most_work;
     int &work = options.cut_work != nullptr ? *options.cut_work : own_work;
     // The pieces after a few cuts may do for other strategies as they are.
@@ -229,7 +263,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
                  static_cast<double>(state->cuts.size()) / static_cast<double>(most_cuts));
             Refusal ignored;
             auto next = make_state(shape, solids, &*state, {&cut, 1}, ignored);
-            work -= (next ? next->pieces.cad : state->pieces.cad).faces.Extent();
+            work -= work_of(next ? next->pieces : state->pieces);
             if (next && next->pieces.cad.solids.Extent() > state->pieces.cad.solids.Extent() &&
                 next->pieces.cad.solids.Extent() <= most_pieces) {
                 found.push_back(std::move(*next));
@@ -238,13 +272,15 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
         std::stable_sort(found.begin(), found.end(),
                          [](const State &a, const State &b) { return a.weight < b.weight; });
         for (std::size_t n = 0; n < std::min(found.size(), most_promising); ++n) {
-            if (state->cuts.size() >= first_cuts ||
+            if (state->cuts.size() >= first_cuts || work <= 0 ||
                 found[n].pieces.cad.solids.Extent() > few_pieces) {
                 continue;
             }
+            constexpr int dear = 2; // strategies take longer than a look
+            work -= dear * work_of(found[n].pieces);
             Layout of_pieces(found[n].pieces.cad);
             Layout result = layout;
-            if (fill_by_strategies(found[n].pieces, of_pieces, options, progress) &&
+            if (fill_by_strategies(found[n], of_pieces, options, progress) &&
                 join(shape, found[n].pieces, of_pieces, result, refusal)) {
                 layout = std::move(result);
                 return true;

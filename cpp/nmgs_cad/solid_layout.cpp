@@ -164,6 +164,7 @@ struct GroupFilling {
     std::optional<Layout> layout;
     std::map<int, FitEntry> entries; // of its solids; where there is no layout, of some
     int culprit = 0;                 // the one that could not be filled last
+    bool alone = false;              // not even by itself
 
     [[nodiscard]] double worst() const {
         double least = layout ? 1 : -1;
@@ -201,8 +202,9 @@ GroupFilling fill_in_turn(const CadShape &shape, std::vector<int> order, const L
         }
         result.culprit = order[done];
         result.entries.emplace(order[done], found[order[done]]);
-        if (done == 0) {
-            break; // not even alone
+        result.alone = done == 0;
+        if (result.alone) {
+            break;
         }
         std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(done),
                     order.begin() + static_cast<std::ptrdiff_t>(done) + 1);
@@ -258,6 +260,28 @@ GroupFilling fill_together(const CadShape &shape, const std::vector<int> &group,
     return result;
 }
 
+// Where one of a group cannot be filled even by itself without cuts: cuts that, then fills the
+// others.
+GroupFilling fill_after_cut(const CadShape &shape, const std::vector<int> &group, int first,
+                            const Layout &layout, const SolidLayoutOptions &options,
+                            const Progress &progress) {
+    SolidLayoutOptions by_cuts = options;
+    by_cuts.method = "cut";
+    GroupFilling result;
+    FitEntry entry;
+    const auto filling = fill(shape, first, layout, by_cuts, entry, progress);
+    if (filling) {
+        std::vector<int> others = group;
+        others.erase(std::remove(others.begin(), others.end(), first), others.end());
+        SolidLayoutOptions without_cuts = options;
+        without_cuts.cuts = false;
+        constexpr std::size_t tries = 3;
+        result = fill_in_turn(shape, others, filling->layout, without_cuts, tries, progress);
+    }
+    result.entries[first] = entry;
+    return result;
+}
+
 // The best filling of solids that share nodes, or the reasons of each.
 GroupFilling fill_group(const CadShape &shape, const std::vector<int> &group, const Layout &layout,
                         const SolidLayoutOptions &options, const Progress &progress) {
@@ -266,23 +290,21 @@ GroupFilling fill_group(const CadShape &shape, const std::vector<int> &group, co
     without_cuts.cuts = options.cuts && (group.size() == 1 || options.method == "cut");
     GroupFilling best = fill_in_turn(shape, group, layout, without_cuts, tries, progress);
     constexpr double poor = 0.2;
-    if (options.cuts && !without_cuts.cuts && options.method == "auto") {
-        constexpr std::size_t dear_tries = 3;
+    if (options.cuts && group.size() > 1 && options.method == "auto") {
+        const bool culprit = !best.layout && best.alone;
         for (const bool together : {false, true}) {
-            if (best.worst() > poor) {
-                break;
+            if (best.worst() > poor || (!together && !culprit)) {
+                continue;
             }
             GroupFilling next =
                 together ? fill_together(shape, group, layout, options, progress)
-                         : fill_in_turn(shape, group, layout, options, dear_tries, progress);
+                         : fill_after_cut(shape, group, best.culprit, layout, options, progress);
             if (next.worst() > best.worst()) {
                 best = std::move(next);
             } else if (!best.layout) {
-                for (auto &[solid, entry] : next.entries) { // the fuller reasons
+                for (auto &[solid, entry] : next.entries) {
                     FitEntry &mine = best.entries.try_emplace(solid, entry).first->second;
-                    if (!together) {
-                        mine = entry;
-                    } else if (solid == best.culprit) {
+                    if (solid == best.culprit && !entry.reason.empty()) {
                         mine.reason += "; " + entry.reason;
                     }
                 }
@@ -359,8 +381,8 @@ std::vector<FitEntry> layout_solids(const CadShape &shape, std::span<const int> 
     const auto groups = easiest_first(shape, solids);
     // Work for searches over cuts: enough for one, a little more for many; each leaves what it does
     // not use to the harder ones that come after it.
-    constexpr int for_one = 5000;
-    constexpr int for_each = 500;
+    constexpr int for_one = 3000;
+    constexpr int for_each = 300;
     int left = for_one + for_each * static_cast<int>(groups.size());
     std::vector<Known> known;
     for (std::size_t g = 0; g < groups.size(); ++g) {

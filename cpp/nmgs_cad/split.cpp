@@ -148,13 +148,15 @@ std::optional<CadEntity> lost(const CadShape &shape, std::span<const int> solids
     return std::nullopt;
 }
 
-// What becomes of the arguments, which are made of these solids; OpenCASCADE's failures are thrown.
+// What becomes of the arguments, which are made of these solids, whose volumes are given by number;
+// OpenCASCADE's failures are thrown.
 std::optional<Pieces> pieces_of(const CadShape &shape, std::span<const int> solids,
+                                const std::vector<double> &volumes,
                                 const TopTools_ListOfShape &arguments,
                                 const TopTools_ListOfShape &tools, Refusal &refusal) {
     double volume = 0;
     for (const int n : solids) {
-        volume += std::abs(volume_of(shape.solid(n)));
+        volume += volumes[at(n)];
     }
     BRepAlgoAPI_Splitter splitter;
     BRepAlgoAPI_BuilderAlgo fuse;
@@ -179,17 +181,23 @@ std::optional<Pieces> pieces_of(const CadShape &shape, std::span<const int> soli
     builder.MakeCompound(compound);
     TopTools_IndexedMapOfShape found;
     TopExp::MapShapes(alone ? arguments.First() : algorithm.Shape(), TopAbs_SOLID, found);
-    double sum = 0;
     for (int n = 1; n <= found.Extent(); ++n) {
         builder.Add(compound, found(n));
-        sum += std::abs(volume_of(found(n)));
+    }
+    Pieces pieces;
+    pieces.cad = make_shape(compound);
+    pieces.volume.assign(at(pieces.cad.solids.Extent()) + 1, 0);
+    double sum = 0;
+    for (int n = 1; n <= pieces.cad.solids.Extent(); ++n) {
+        const int before = shape.solids.FindIndex(pieces.cad.solids(n)); // as it was
+        pieces.volume[at(n)] =
+            before > 0 ? volumes[at(before)] : std::abs(volume_of(pieces.cad.solid(n)));
+        sum += pieces.volume[at(n)];
     }
     if (std::abs(sum - volume) > 1e-4 * volume) {
         refusal.reason = "the pieces do not have its volume";
         return std::nullopt;
     }
-    Pieces pieces;
-    pieces.cad = make_shape(compound);
     const CadShape &cad = pieces.cad;
     const CadEntity nowhere{4, 0};
     pieces.vertex_on.assign(at(cad.vertices.Extent()) + 1, nowhere);
@@ -253,10 +261,12 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
     }
     try {
         TopTools_ListOfShape arguments;
+        std::vector<double> volumes(at(shape.solids.Extent()) + 1, 0);
         for (const int n : solids) {
             arguments.Append(shape.solid(n));
+            volumes[at(n)] = std::abs(volume_of(shape.solid(n)));
         }
-        auto pieces = pieces_of(shape, solids, arguments, tools, refusal);
+        auto pieces = pieces_of(shape, solids, volumes, arguments, tools, refusal);
         if (!pieces) {
             return std::nullopt;
         }
@@ -299,7 +309,7 @@ std::optional<Pieces> split(const CadShape &shape, const Pieces &pieces,
         } else {
             arguments.Append(compound_of(pieces.cad, parts));
         }
-        auto finer = pieces_of(pieces.cad, parts, arguments, tools, refusal);
+        auto finer = pieces_of(pieces.cad, parts, pieces.volume, arguments, tools, refusal);
         if (!finer) {
             return std::nullopt;
         }

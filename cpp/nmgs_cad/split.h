@@ -19,6 +19,7 @@ namespace nmgs::cad {
 struct Pieces {
     CadShape cad;
     std::vector<CadEntity> vertex_on, edge_on, face_on, solid_on;
+    std::vector<double> volume; // of each solid of `cad`, from 1
 };
 
 // The solids cut by all the tools at once (general fuse, so that what touches shares its faces).
