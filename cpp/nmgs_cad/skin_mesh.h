@@ -74,6 +74,8 @@ public:
     void flip(std::vector<std::array<std::int32_t, 2>> work);
     void smooth();
     void cut_ears();
+    // Removes or splits triangles that are nearly on a line.
+    void drop_flat();
     // No two points joined by curves of two faces, or by one beside a segment.
     void part_twins();
 
