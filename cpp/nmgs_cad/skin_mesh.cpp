@@ -352,7 +352,7 @@ std::vector<std::array<std::int32_t, 3>> SkinMesh::edges() const {
     return found;
 }
 
-bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool force) {
+bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool force, double share) {
     const std::int32_t edge = face == 0 ? segment(a, b) : 0;
     SkinPoint m;
     m.size = 0.5 * (points[at(a)].size + points[at(b)].size);
@@ -407,8 +407,8 @@ bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool for
                 auto p = triangle.p;
                 std::replace(p.begin(), p.end(), old, n);
                 const Score after = score(triangle.face, p);
-                if (after.normal < std::min(least_normal, before.normal) ||
-                    after.quality < std::min(0.1, 0.3 * before.quality)) {
+                if (after.normal < share * std::min(least_normal, before.normal) ||
+                    after.quality < share * std::min(0.1, 0.3 * before.quality)) {
                     points.pop_back();
                     around.pop_back();
                     corners_[at(n)].clear();
@@ -640,7 +640,10 @@ void SkinMesh::split_long() {
             const bool taken = std::any_of(own.begin(), own.end(), [&](std::int32_t t) {
                 return at(t) >= touched.size() || touched[at(t)] != 0;
             });
-            if (!taken && split(e[0], e[1], e[2])) {
+            // Much too long edges of the CAD stand in the way of all others.
+            constexpr double much = 2;
+            const double share = e[2] == 0 && -l > much ? 0.1 : 1;
+            if (!taken && split(e[0], e[1], e[2], false, share)) {
                 ++done;
                 for (const std::int32_t t : own) {
                     touched[at(t)] = 1;
