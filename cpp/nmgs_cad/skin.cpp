@@ -93,10 +93,17 @@ std::vector<double> near_bounds(SkinMesh &mesh) {
                 }
             });
             if (other != 0) {
-                // Flat walls may be far thinner than their triangles are long.
+                // Flat walls may be far thinner than their triangles are long, curved ones as long
+                // as the chords stay inside.
                 const bool flat = mesh.face(triangle.face).planar() && mesh.face(other).planar();
                 const double least = mesh.diagonal / (flat ? 30 : 150);
-                const double bound = std::max(least, (flat ? 5 : 3) * nearest);
+                double curvature = 0;
+                for (const std::int32_t p : triangle.p) {
+                    const SurfaceFrame frame = mesh.corner(triangle.face, p).frame;
+                    curvature = std::max(curvature, frame.regular ? std::abs(frame.major) : 0.0);
+                }
+                const double inside = std::sqrt(2 * nearest / std::max(curvature, 1e-9 / least));
+                const double bound = std::max({least, 3 * nearest, std::min(5 * nearest, inside)});
                 for (const std::int32_t p : triangle.p) {
                     bounds[at(p)] = std::min(bounds[at(p)], bound);
                 }
@@ -324,6 +331,7 @@ bool SkinBuilder::find_turns() {
 }
 
 void SkinBuilder::finish(const Progress &progress) {
+    mesh_->drop_flat();
     mesh_->part_twins();
     mesh_->cut_ears();
     mesh_->smooth();
@@ -346,6 +354,7 @@ void SkinBuilder::finish(const Progress &progress) {
             }
         }
         passes(2, progress, 0.7 + 0.05 * round, 0.75 + 0.05 * round);
+        mesh_->drop_flat();
         mesh_->part_twins();
         mesh_->cut_ears();
         mesh_->smooth();

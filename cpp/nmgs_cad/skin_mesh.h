@@ -74,6 +74,8 @@ public:
     void flip(std::vector<std::array<std::int32_t, 2>> work);
     void smooth();
     void cut_ears();
+    // Removes or splits triangles that are nearly on a line.
+    void drop_flat();
     // No two points joined by curves of two faces, or by one beside a segment.
     void part_twins();
 
@@ -88,7 +90,9 @@ public:
     // Edge's length by the wanted one.
     double length(std::int32_t a, std::int32_t b, std::int32_t face);
     double length(std::int32_t a, std::int32_t b, std::int32_t face, double size);
-    bool split(std::int32_t a, std::int32_t b, std::int32_t face, bool force = false);
+    // share: of the quality that the new triangles must have.
+    bool split(std::int32_t a, std::int32_t b, std::int32_t face, bool force = false,
+               double share = 1);
     bool collapse(std::int32_t from, std::int32_t to, bool force = false);
     bool flip(std::int32_t a, std::int32_t b);
     [[nodiscard]] double turn_allowed(double curvature, double scale) const;

@@ -25,7 +25,9 @@ ROUNDS = 4
 #: Largest turn of the surface along an edge of the skin, in radians: each is halved, and a cylinder
 #: then loses 0.8 % of its volume. The others where the first leads to no sound hexahedra.
 ANGLES = (0.45, 0.37, 0.6)
-#: Seconds after which no further round begins.
+#: Triangles of a skin that is not made finer.
+MOST_TRIANGLES = 30_000
+#: Seconds after which no further round begins; twice as many while there is no sound layout.
 PATIENCE = 20.0
 #: Scaled Jacobian of the mesh from which blocks are left as they are.
 SOUND = 0.001
@@ -70,7 +72,7 @@ def fill(
     best: Optional[_Found] = None
     start = time.monotonic()
     for angle in ANGLES:
-        if best is not None and (best.sound or time.monotonic() - start > PATIENCE):
+        if (best is not None and best.sound) or time.monotonic() - start > 2 * PATIENCE:
             break
         found = _best_round(shape, faces, angle, start, progress)
         if isinstance(found, _Found) and (best is None or found.rank > best.rank):
@@ -96,13 +98,15 @@ def _best_round(
     best: Optional[_Found] = None
     vain = 0  # rounds that made nothing better
     where = np.empty((0, 5))
+    skin = builder.skin()
     for round_ in range(ROUNDS):
         if round_:
-            late = time.monotonic() - start > PATIENCE
-            if vain > 1 or (best is not None and late):
+            enough = best is not None and best.sound
+            late = time.monotonic() - start > (1 if enough else 2) * PATIENCE
+            if vain > 1 or (late and best is not None) or len(skin.triangles) > MOST_TRIANGLES:
                 break
             builder.refine(where, _share(progress, round_, 0))
-        skin = builder.skin()
+            skin = builder.skin()
         tets: List[Tuple[int, np.ndarray, np.ndarray]] = []
         finer: List[np.ndarray] = []
         for n, own in faces.items():
