@@ -348,6 +348,7 @@ std::vector<std::vector<int>> easiest_first(const CadShape &shape, std::span<con
         return groups;
     }
     std::vector<std::pair<double, std::size_t>> order;
+    order.reserve(groups.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
         double weight = 0;
         for (const int solid : groups[g]) {
@@ -357,6 +358,7 @@ std::vector<std::vector<int>> easiest_first(const CadShape &shape, std::span<con
     }
     std::sort(order.begin(), order.end());
     std::vector<std::vector<int>> result;
+    result.reserve(order.size());
     for (const auto &[weight, g] : order) {
         result.push_back(std::move(groups[g]));
     }
