@@ -201,7 +201,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
     constexpr int patient = 3;
     constexpr std::size_t tries = 10; // of the most promising cuts
     // Faces of all the pieces that are looked at: the work, whatever the machine's speed.
-    constexpr int most_work = 3000;
+    constexpr int most_work = 4000;
     int own_work = most_work;
     int &work = options.cut_work != nullptr ? *options.cut_work : own_work;
     // The pieces after a few cuts may do for other strategies as they are.
@@ -276,8 +276,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
                 found[n].pieces.cad.solids.Extent() > few_pieces) {
                 continue;
             }
-            constexpr int dear = 2; // strategies take longer than a look
-            work -= dear * work_of(found[n].pieces);
+            work -= work_of(found[n].pieces); // strategies take as long again
             Layout of_pieces(found[n].pieces.cad);
             Layout result = layout;
             if (fill_by_strategies(found[n], of_pieces, options, progress) &&

@@ -336,7 +336,8 @@ void relate_loops(const CadShape &shape, const SolidBoundary &boundary, std::siz
 
 int quarter_turns(int axis, int from, int to) {
     static constexpr auto table = all_quarter_turns();
-    return table[static_cast<std::size_t>((axis * values + from) * values + to)];
+    const auto place = [](int n) { return static_cast<std::size_t>(n); };
+    return table[(place(axis) * values + place(from)) * values + place(to)];
 }
 
 std::vector<LogicalDirections> logical_directions(const CadShape &shape,

@@ -348,6 +348,7 @@ std::vector<std::vector<int>> easiest_first(const CadShape &shape, std::span<con
         return groups;
     }
     std::vector<std::pair<double, std::size_t>> order;
+    order.reserve(groups.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
         double weight = 0;
         for (const int solid : groups[g]) {
@@ -357,6 +358,7 @@ std::vector<std::vector<int>> easiest_first(const CadShape &shape, std::span<con
     }
     std::sort(order.begin(), order.end());
     std::vector<std::vector<int>> result;
+    result.reserve(order.size());
     for (const auto &[weight, g] : order) {
         result.push_back(std::move(groups[g]));
     }
@@ -379,11 +381,11 @@ std::vector<FitEntry> layout_solids(const CadShape &shape, std::span<const int> 
     }
     std::map<int, FitEntry> entries;
     const auto groups = easiest_first(shape, solids);
-    // Work for searches over cuts: enough for one, a little more for many; each leaves what it does
-    // not use to the harder ones that come after it.
-    constexpr int for_one = 3000;
+    // Work for searches over cuts: enough for two hard ones, a little more for many; each leaves
+    // what it does not use to the harder ones that come after it.
+    constexpr int for_one = 4000;
     constexpr int for_each = 300;
-    int left = for_one + for_each * static_cast<int>(groups.size());
+    int left = 2 * for_one + for_each * static_cast<int>(groups.size());
     std::vector<Known> known;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         poll(progress, static_cast<double>(g) / static_cast<double>(groups.size()));

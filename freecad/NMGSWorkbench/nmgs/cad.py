@@ -33,8 +33,8 @@ def fit(
     are halved until no face of theirs is farther than this from its CAD face, or there are
     thousands; None for a thousandth of the diagonal. What was reached is in the report.
     method: one of METHODS. "auto" takes the structured strategy with the best blocks and, where
-    none applies, tet-to-hex, which splits tetrahedra. Solids that share faces share nodes: either
-    all of them are structured, or none.
+    none applies, tet-to-hex, which splits tetrahedra. Solids that touch share nodes: either all
+    of them are structured, or none.
     entities: only these, all faces ("Face3", ...) or all solids ("Solid1", ...).
     The model's report has an entry a face or solid: method, and in words why no other applies.
     Raises GeometryError when the shape is empty or not valid, BlockingError when no block could be
