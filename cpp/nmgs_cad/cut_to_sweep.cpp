@@ -30,7 +30,7 @@ namespace {
 constexpr int most_cuts = 16;
 constexpr int most_pieces = 80;
 constexpr int most_work = 3000; // faces of all the pieces that are looked at
-constexpr int most_fillings = 6;
+constexpr int most_fillings = 4;
 constexpr std::size_t most_planes = 8;
 
 struct Candidate {
