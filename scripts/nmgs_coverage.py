@@ -162,6 +162,7 @@ class Check:
         self.number_of_edge = self._numbers(shape.Edges)
         self.number_of_vertex = self._numbers(shape.Vertexes)
         self.number_of_face = self._numbers(shape.Faces)
+        self.off_edges = {}
 
     @staticmethod
     def _numbers(parts):
@@ -191,14 +192,18 @@ class Check:
             limit = max(1e-6 * self.size, vertex.Tolerance)
             if len(nodes) != 1 or np.linalg.norm(points[nodes[0]] - place) > limit:
                 bad.append(f"Vertex{self.number_of_vertex(vertex)} is no node")
+        lines = np.asarray(lines, int).reshape(-1, 2)
+        on_edge = np.zeros(len(points), bool)
         for edge in part.Edges:
             if edge.Degenerated:
                 continue
             number = self.number_of_edge(edge)
-            nodes = set(self.group(f"Edge{number}").tolist())
-            mine = [line for line in lines if line[0] in nodes and line[1] in nodes]
-            length = sum(np.linalg.norm(points[a] - points[b]) for a, b in mine)
-            off = max((self.off_curve(edge, points[n]) for n in nodes), default=0.0)
+            nodes = self.group(f"Edge{number}")
+            on_edge[nodes] = True
+            mine = lines[on_edge[lines].all(axis=1)]
+            on_edge[nodes] = False
+            length = np.linalg.norm(points[mine[:, 0]] - points[mine[:, 1]], axis=1).sum()
+            off = self.off_edge(edge, number, nodes)
             limit = max(1e-6 * self.size, edge.Tolerance)
             # Chords that turn by up to 60 degrees are 0.955 of their arc.
             if not 0.95 * edge.Length <= length <= 1.001 * edge.Length + limit or off > limit:
@@ -207,12 +212,17 @@ class Check:
                 )
         return bad
 
-    def off_curve(self, edge, point):
+    def off_edge(self, edge, number, nodes):
+        """Largest distance of the nodes from the edge, of some hundred of them where there are
+        more; once an edge, for all the faces that it bounds."""
         import FreeCAD
         import Part
 
-        vertex = Part.Vertex(FreeCAD.Vector(*point))
-        return edge.distToShape(vertex)[0]
+        if number not in self.off_edges:
+            some = nodes[:: max(1, len(nodes) // 200)]
+            places = [Part.Vertex(FreeCAD.Vector(*self.mesh.points[n])) for n in some]
+            self.off_edges[number] = max((edge.distToShape(p)[0] for p in places), default=0.0)
+        return self.off_edges[number]
 
     def face_lines(self, faces):
         rows = [self.group(f"Face{self.number_of_face(face)}") for face in faces]
@@ -302,14 +312,13 @@ class FaceCheck(Check):
         surface = face.Surface
         sign = -1.0 if face.Orientation == "Reversed" else 1.0
         centres = p.mean(axis=1)
-        normals = np.empty_like(centres)
-        for i, centre in enumerate(centres):
-            u, v = surface.parameter(FreeCAD.Vector(*centre))
+        normals = np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1])
+        for i in self.doubtful(cells, p, normals):
+            u, v = surface.parameter(FreeCAD.Vector(*centres[i]))
             try:
-                normal = surface.normal(u, v)
-                normals[i] = sign * np.array(normal)
+                normals[i] = sign * np.array(surface.normal(u, v))
             except Exception:  # a pole has no normal
-                normals[i] = np.cross(p[i, 2] - p[i, 0], p[i, 3] - p[i, 1])
+                pass
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
         for k in range(4):
             a = p[:, (k + 1) % 4] - p[:, k]
@@ -320,6 +329,29 @@ class FaceCheck(Check):
             flat = np.linalg.norm(np.cross(a, b), axis=1) / np.maximum(length, 1e-300)
             worst = np.minimum(worst, np.where(corner > 0, flat, corner))
         return worst
+
+    def doubtful(self, cells, p, normals):
+        """Quads whose side the surface's normal has to tell: those with a corner that is flat or
+        turned over, those that turn sharply against a neighbour, and a hundred of the others: a
+        fold has a rim of such quads, unless the whole face lies upside down."""
+        np = self.np
+        unit = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+        doubt = np.zeros(len(cells), bool)
+        doubt[:: max(1, len(cells) // 100)] = True
+        for k in range(4):
+            a = p[:, (k + 1) % 4] - p[:, k]
+            b = p[:, k - 1] - p[:, k]
+            length = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
+            doubt |= (np.cross(a, b) * unit).sum(axis=1) < 0.05 * length
+        pairs = self.mesh_edges(self.quads[cells])
+        owner = np.tile(np.arange(len(cells)), 4)
+        order = np.lexsort((pairs[:, 1], pairs[:, 0]))
+        same = (pairs[order[1:]] == pairs[order[:-1]]).all(axis=1)
+        one, two = owner[order[1:]][same], owner[order[:-1]][same]
+        sharp = np.flatnonzero((unit[one] * unit[two]).sum(axis=1) < 0.5)
+        sharp = sharp[:: max(1, len(sharp) // 500)]  # a surface may be full of ripples
+        doubt[one[sharp]] = doubt[two[sharp]] = True
+        return np.flatnonzero(doubt)
 
     def whole(self):
         """Over an edge, the quads on both sides use the same mesh edges."""
@@ -334,14 +366,22 @@ class FaceCheck(Check):
         faces_of = collections.Counter()
         for name in self.names:
             face = self.shape.Faces[int(name[4:]) - 1]
-            for wire in face.Wires:
-                # A seam counts twice: both its sides are of the one face.
-                for edge in wire.OrderedEdges if hasattr(wire, "OrderedEdges") else wire.Edges:
-                    faces_of[self.number_of_edge(edge)] += 1
+            ordered = [self.number_of_edge(e) for wire in face.Wires for e in wire.OrderedEdges]
+            # A seam counts twice, and so does an edge inside the face: both its sides are of the
+            # one face. (OpenCASCADE's own test takes an edge between two faces on one surface for a
+            # seam, and its walk goes along the boundary only; a face that is itself "Internal"
+            # hands that on to its edges, and then there is nothing to walk along.)
+            for edge in face.Edges:
+                number = self.number_of_edge(edge)
+                inner = edge.Orientation == "Internal" and face.Orientation != "Internal"
+                faces_of[number] += 2 if inner else max(1, ordered.count(number))
+        beside = collections.defaultdict(list)
+        for (a, b), count in uses.items():
+            beside[a].append((b, count))
         for number, count in faces_of.items():
             nodes = set(self.group(f"Edge{number}").tolist())
-            inner = [u for u in uses if u[0] in nodes and u[1] in nodes]
-            wrong = sum(uses[u] not in (count, 2) for u in inner)
+            inner = [n for a in nodes for b, n in beside[a] if b in nodes]
+            wrong = sum(n not in (count, 2) for n in inner)
             if wrong and count > 1:
                 problems.append(f"Edge{number}: {wrong} mesh edges are not shared by its faces")
         outer = [u for u, n in uses.items() if n == 1]

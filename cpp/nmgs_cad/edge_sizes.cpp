@@ -28,6 +28,7 @@ struct Sample {
     double size;
     std::array<int, 2> vertex; // at the start and the end of the edge
     std::array<double, 2> to;  // way to them along it
+    bool tip;                  // beside a cusp, on a segment of a given length
 };
 
 // The way from one to the other along their edges when these meet at a vertex: a seam's two sides
@@ -49,28 +50,60 @@ double way(const Sample &s, const Sample &t) {
 
 } // namespace
 
-double EdgeSize::segments() const {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
-        sum += 0.5 * (1 / wanted[i] + 1 / wanted[i + 1]);
+namespace {
+
+// Shares of the edge's length, ascending, and how many segments there are up to each.
+struct Count {
+    std::vector<double> at, sum;
+};
+
+Count count_between(const EdgeSize &size, double from, double to) {
+    const auto pieces = static_cast<double>(size.wanted.size() - 1);
+    const auto density = [&](double f) {
+        const double x = std::clamp(f * pieces, 0.0, pieces);
+        const auto i = std::min(static_cast<std::size_t>(x), size.wanted.size() - 2);
+        const double t = x - static_cast<double>(i);
+        return (1 - t) / size.wanted[i] + t / size.wanted[i + 1];
+    };
+    Count count{{from}, {0}};
+    for (std::size_t i = 0; i < size.wanted.size(); ++i) {
+        const double f = std::min(static_cast<double>(i) / pieces, to);
+        if (f > count.at.back()) {
+            count.sum.push_back(count.sum.back() + 0.5 * size.length * (f - count.at.back()) *
+                                                       (density(count.at.back()) + density(f)));
+            count.at.push_back(f);
+        }
     }
-    return sum * length / static_cast<double>(wanted.size() - 1);
+    return count;
+}
+
+} // namespace
+
+double EdgeSize::segments() const {
+    return tips() + count_between(*this, tip[0] / length, 1 - tip[1] / length).sum.back();
 }
 
 std::vector<double> EdgeSize::fractions(int n) const {
-    std::vector<double> sums{0};
-    for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
-        sums.push_back(sums.back() + 0.5 * (1 / wanted[i] + 1 / wanted[i + 1]));
-    }
+    const bool no_tips = n <= tips();
+    const double from = no_tips ? 0 : tip[0] / length;
+    const double to = no_tips ? 1 : 1 - tip[1] / length;
+    const int inner = no_tips ? n : n - tips();
+    const Count count = count_between(*this, from, to);
     std::vector<double> result;
+    if (from > 0) {
+        result.push_back(from);
+    }
     std::size_t i = 0;
-    for (int k = 1; k < n; ++k) {
-        const double goal = sums.back() * k / n;
-        while (i + 2 < sums.size() && sums[i + 1] < goal) {
+    for (int k = 1; k < inner; ++k) {
+        const double goal = count.sum.back() * k / inner;
+        while (i + 2 < count.sum.size() && count.sum[i + 1] < goal) {
             ++i;
         }
-        const double t = (goal - sums[i]) / (sums[i + 1] - sums[i]);
-        result.push_back((static_cast<double>(i) + t) / static_cast<double>(wanted.size() - 1));
+        const double t = (goal - count.sum[i]) / (count.sum[i + 1] - count.sum[i]);
+        result.push_back(count.at[i] + t * (count.at[i + 1] - count.at[i]));
+    }
+    if (to < 1) {
+        result.push_back(to);
     }
     return result;
 }
@@ -142,26 +175,28 @@ void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
                 const double f = static_cast<double>(k) / static_cast<double>(size.at.size() - 1);
                 const double from =
                     static_cast<double>(i) / static_cast<double>(size.at.size() - 1);
-                samples.push_back({size.at[i],
-                                   use.edge,
-                                   i,
-                                   l,
-                                   along + f * size.length,
-                                   size.wanted[i],
-                                   size.vertex,
-                                   {from * size.length, (1 - from) * size.length}});
+                const std::array<double, 2> to{from * size.length, (1 - from) * size.length};
+                samples.push_back({size.at[i], use.edge, i, l, along + f * size.length,
+                                   size.wanted[i], size.vertex, to,
+                                   to[0] < size.tip[0] || to[1] < size.tip[1]});
             }
             along += size.length;
         }
         length.push_back(along);
         all += along;
     }
-    const double least = all / 500;
+    // Beyond the quad in a cusp the face is as narrow as that is.
+    const bool cusps =
+        std::any_of(samples.begin(), samples.end(), [](const Sample &s) { return s.tip; });
+    const double least = all / (cusps ? 8000 : 500);
     // Another part of the boundary is one that is much farther along the boundary than across. Two
     // quads fit between.
     constexpr double detour = 4;
     constexpr double share = 0.6;
     for (Sample &s : samples) {
+        if (s.tip) {
+            continue;
+        }
         for (const Sample &t : samples) {
             const double d = distance(s.at, t.at);
             if (share * d >= s.size || d <= 1e-9 * all) {
@@ -184,8 +219,8 @@ void size_by_neighbourhood(const FaceLoops &loops, EdgeSizes &sizes) {
         sizes_before.push_back(s.size);
     }
     for (Sample &s : samples) {
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            if (sizes_before[i] < s.size) {
+        for (std::size_t i = 0; i < samples.size() && !s.tip; ++i) {
+            if (sizes_before[i] < s.size && !samples[i].tip) {
                 s.size = std::min(s.size, sizes_before[i] + growth * distance(s.at, samples[i].at));
             }
         }

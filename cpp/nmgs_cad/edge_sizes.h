@@ -17,9 +17,12 @@ struct EdgeSize {
     double length = 0;
     double turn = 0; // of the tangent from start to end, in radians
     bool closed = false;
-    std::array<int, 2> vertex{};           // VertexN at its start and end
-    std::vector<Vec3> at;                  // where the sizes are asked for
-    std::vector<double> wanted;            // there
+    std::array<int, 2> vertex{}; // VertexN at its start and end
+    std::vector<Vec3> at;        // where the sizes are asked for
+    std::vector<double> wanted;  // there
+    // Length of the first and the last segment; 0: as wanted.
+    std::array<double, 2> tip{0, 0};
+    [[nodiscard]] int tips() const { return (tip[0] > 0 ? 1 : 0) + (tip[1] > 0 ? 1 : 0); }
     [[nodiscard]] double segments() const; // as a fraction: the integral of 1 / wanted
     // The fractions of the length that divide the edge into n segments as the sizes ask for.
     [[nodiscard]] std::vector<double> fractions(int n) const;

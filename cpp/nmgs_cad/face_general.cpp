@@ -6,6 +6,7 @@
 #include "nmgs/support/at.h"
 #include "nmgs_cad/face_triangles.h"
 #include "nmgs_cad/quad_cleanup.h"
+#include "nmgs_cad/quad_repair.h"
 #include "nmgs_cad/quad_smoothing.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <deque>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace nmgs::cad {
 namespace {
@@ -193,10 +195,16 @@ struct Pairing {
     }
 };
 
-std::optional<FaceMesh> attempt(const FaceSurface &surface,
-                                const std::vector<BoundaryLoop> &boundary,
-                                const std::vector<BoundaryLoop> &inner, const Spacing &spacing,
-                                Refusal &refusal) {
+struct Attempt {
+    FaceMesh mesh;
+    double quality; // the worst that could be avoided
+    std::set<std::array<std::int32_t, 2>> kept;
+};
+
+std::optional<Attempt> attempt(const FaceSurface &surface,
+                               const std::vector<BoundaryLoop> &boundary,
+                               const std::vector<BoundaryLoop> &inner, const Spacing &spacing,
+                               Refusal &refusal) {
     const auto triangles = triangulate_face(surface, boundary, inner, spacing, refusal);
     if (!triangles) {
         return std::nullopt;
@@ -220,12 +228,15 @@ std::optional<FaceMesh> attempt(const FaceSurface &surface,
     }
     FaceMesh plain = mesh;
     smooth_quads(plain, surface, 5, 12);
-    if (!inner.empty() || !triangles->kept.empty()) {
-        return plain; // edges on CAD inside must stay
-    }
-    clean_up_quads(mesh, surface);
+    clean_up_quads(mesh, surface, triangles->kept);
     smooth_quads(mesh, surface, 8, 20);
-    return worst_avoidable(mesh, surface) >= worst_avoidable(plain, surface) ? mesh : plain;
+    double quality = worst_avoidable(mesh, surface);
+    const double before = worst_avoidable(plain, surface);
+    if (before > quality) {
+        mesh = std::move(plain);
+        quality = before;
+    }
+    return Attempt{std::move(mesh), quality, triangles->kept};
 }
 
 } // namespace
@@ -238,8 +249,7 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
     std::optional<FaceMesh> best;
     double best_quality = -2;
     constexpr double good = 0.4;
-    constexpr double fair = 0.22; // of large layouts
-    constexpr std::size_t many = 400;
+    constexpr double fair = 0.25; // of what had to be repaired
     constexpr std::size_t most = 3000;
     std::size_t tried = 0;
     for (const double scale : {1.0, 0.7, 1.4, 0.5, 0.35}) {
@@ -248,17 +258,26 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
             break;
         }
         const Spacing spacing{scale, std::min(options.angle, pi / 4), options.size};
-        auto mesh = attempt(surface, boundary, inner, spacing, refusal);
-        if (!mesh) {
+        auto made = attempt(surface, boundary, inner, spacing, refusal);
+        if (!made) {
             continue;
         }
-        const double quality = worst_avoidable(*mesh, surface);
-        tried += mesh->quads.size();
-        if (quality > best_quality) {
-            best_quality = quality;
-            best = std::move(mesh);
+        tried += made->mesh.quads.size();
+        if (made->quality <= good) {
+            constexpr double wanted = 0.3;
+            FaceMesh mended = made->mesh;
+            repair_quads(mended, surface, made->kept, wanted);
+            const double quality = worst_avoidable(mended, surface);
+            if (quality >= made->quality) {
+                made->quality = quality;
+                made->mesh = std::move(mended);
+            }
         }
-        if (best_quality > (tried > many ? fair : good)) {
+        if (made->quality > best_quality) {
+            best_quality = made->quality;
+            best = std::move(made->mesh);
+        }
+        if (best_quality > fair) {
             break;
         }
     }

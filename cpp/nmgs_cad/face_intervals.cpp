@@ -234,8 +234,8 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
         work.count[e] = !laid.empty()
                             ? static_cast<int>(laid.size()) - 1
                             : std::max(1, static_cast<int>(std::ceil(size.segments() - 0.2)));
-        if (laid.empty() && size.closed) {
-            work.count[e] = std::max(work.count[e], 4);
+        if (laid.empty()) {
+            work.count[e] = std::max(work.count[e], size.closed ? 4 : size.tips() + 1);
         }
         int a = shape.vertices.FindIndex(TopExp::FirstVertex(shape.edge(e)));
         int b = shape.vertices.FindIndex(TopExp::LastVertex(shape.edge(e)));
@@ -394,7 +394,7 @@ std::map<int, std::vector<double>> place_divisions(const std::vector<FacePlan> &
             last = f;
         }
         unevenness[edge] = least > 0 ? most / least : 1;
-        if (!layout.edges[static_cast<std::size_t>(edge)].empty()) {
+        if (!layout.edges[static_cast<std::size_t>(edge)].empty() || sizes.at(edge).tips() > 0) {
             settled.insert(edge);
         }
     }

@@ -19,6 +19,8 @@ struct FacePlan {
     std::optional<LogicalSides> sides; // four sides that can be made equal in pairs
     std::vector<std::size_t> corners;  // of two, three or five sides
     bool ring = false;                 // two loops
+    bool poor = false;                 // structured quads were tried and are no good: stays general
+    bool cusps = false;                // stays general, and is laid out in the size of elements
 
     [[nodiscard]] bool general() const { return !sides && corners.empty() && !ring; }
     void give_up() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_layout.h"
 
+#include "nmgs_cad/face_cusps.h"
 #include "nmgs_cad/face_general.h"
 #include "nmgs_cad/face_intervals.h"
 #include "nmgs_cad/face_mapped.h"
@@ -19,7 +20,7 @@ namespace {
 
 // Two loops that ask for numbers of segments that are not too different.
 bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
-    if (loops.loops.size() != 2 || !loops.inner.empty()) {
+    if (loops.loops.size() != 2 || !loops.inner.empty() || !loops.points.empty()) {
         return false;
     }
     std::array<double, 2> segments{0, 0};
@@ -33,6 +34,12 @@ bool may_be_ring(const FaceLoops &loops, const EdgeSizes &sizes) {
     }
     constexpr double most = 2.5;
     return segments[0] <= most * segments[1] && segments[1] <= most * segments[0];
+}
+
+// Of a face that is laid out in elements.
+double element_size(const CadShape &shape, const LayoutOptions &options) {
+    const double size = shape.diagonal() / 30;
+    return options.size > 0 ? std::min(options.size, size) : size;
 }
 
 // Divides the edges of the plans that are not laid out yet.
@@ -54,8 +61,16 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     for (FacePlan &plan : plans) {
         poll(progress, 0);
         Refusal refusal;
-        plan.sides = logical_sides(plan.loops, refusal);
-        if (!plan.sides) {
+        plan.give_up();
+        plan.cusps = size_cusps(shape, plan.face, plan.loops, sizes);
+        if (plan.cusps) {
+            size_as_elements(plan.loops, sizes, element_size(shape, options));
+        }
+        const bool general = plan.cusps || plan.poor;
+        if (!general) {
+            plan.sides = logical_sides(plan.loops, refusal);
+        }
+        if (!plan.sides && !general) {
             plan.corners = midpoint_corners(plan.loops);
             plan.ring = may_be_ring(plan.loops, sizes);
         }
@@ -88,10 +103,18 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
     }
 }
 
-// The best quads for a face whose edges are laid out.
-std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
-                  const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
-                  double &quality, const Progress &progress) {
+struct Cover {
+    std::optional<FaceMesh> mesh;
+    std::string method;
+    double avoidable = -2; // the worst that could be avoided
+    double quality = 0;
+};
+
+// The best quads for a face whose edges are laid out. wanted: "auto", "structured" for all but the
+// general strategy, or one by name.
+Cover best_cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
+                 const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
+                 const Progress &progress) {
     const FaceSurface surface(shape.face(plan.face));
     const auto boundary = boundary_of(shape, plan.loops, layout);
     std::vector<BoundaryLoop> inner;
@@ -103,23 +126,30 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
         line.push_back(end);
         inner.push_back(std::move(line));
     }
+    for (const int n : plan.loops.points) {
+        BoundaryNode node;
+        node.point = layout.vertex(shape, n);
+        node.at = shape.point(n);
+        node.uv = surface.nearest(node.at, 0.5 * (surface.low() + surface.high()));
+        inner.push_back({node});
+    }
     constexpr double good = 0.3;
-    std::optional<FaceMesh> best;
-    std::string method;
-    double best_quality = -2;
+    Cover best;
     const auto consider = [&](std::optional<FaceMesh> mesh, const char *name) {
         if (mesh) {
             const double q = worst_avoidable(*mesh, surface);
-            if (q > best_quality) {
-                best_quality = q;
-                quality = std::min(worst_quality(*mesh), curved_quality(*mesh, surface));
-                method = name;
-                best = std::move(mesh);
+            if (q > best.avoidable) {
+                best.avoidable = q;
+                best.quality = std::min(worst_quality(*mesh), curved_quality(*mesh, surface));
+                best.method = name;
+                best.mesh = std::move(mesh);
             }
         }
     };
     const auto sides = logical_sides(plan.loops, refusal);
-    const auto may = [&](const char *name) { return wanted == "auto" || wanted == name; };
+    const auto may = [&](const std::string &name) {
+        return wanted == "auto" || wanted == name || (wanted == "structured" && name != "general");
+    };
     if (sides && may("mapped")) {
         consider(mapped_quads(surface, *sides, boundary, refusal), "mapped");
     }
@@ -130,13 +160,55 @@ std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
     if (boundary.size() == 2 && inner.empty() && may("ring")) {
         consider(ring_quads(surface, boundary, refusal), "ring");
     }
-    if (best_quality < good && may("general")) {
-        consider(general_quads(surface, boundary, inner, options, refusal, progress), "general");
+    if (best.avoidable < good && may("general")) {
+        LayoutOptions finer = options;
+        if (plan.cusps) {
+            finer.size = element_size(shape, options);
+        }
+        consider(general_quads(surface, boundary, inner, finer, refusal, progress), "general");
     }
-    if (best) {
-        put(*best, plan.face, layout);
+    return best;
+}
+
+std::string cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
+                  const LayoutOptions &options, const std::string &wanted, Refusal &refusal,
+                  double &quality, const Progress &progress) {
+    const Cover best = best_cover(shape, plan, layout, options, wanted, refusal, progress);
+    if (best.mesh) {
+        put(*best.mesh, plan.face, layout);
+        quality = best.quality;
     }
-    return method;
+    return best.method;
+}
+
+// Divides the edges, and once more where a face's structured quads turn out poor: it is general
+// then, with edges divided for that.
+void divide_for_the_best(const CadShape &shape, std::vector<FacePlan> &plans, Layout &layout,
+                         const LayoutOptions &options, const Progress &progress) {
+    constexpr double poor = 0.2;
+    Layout trial = layout;
+    divide_edges(shape, plans, trial, options, progress);
+    bool any = false;
+    for (FacePlan &plan : plans) {
+        poll(progress, 0.1);
+        if (plan.general()) {
+            continue;
+        }
+        Refusal refusal;
+        try {
+            plan.poor =
+                best_cover(shape, plan, trial, options, "structured", refusal, progress).avoidable <
+                poor;
+        } catch (const Standard_Failure &) {
+            plan.poor = true;
+        }
+        any = any || plan.poor;
+    }
+    if (any) {
+        divide_edges(shape, plans, layout, options, progress);
+    } else {
+        layout = std::move(trial);
+    }
 }
 
 std::string fail_safe_cover(const CadShape &shape, const FacePlan &plan, Layout &layout,
@@ -167,7 +239,8 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
     if (!loops) {
         return false;
     }
-    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false}};
+    join_touching_loops(shape, face, *loops);
+    std::vector<FacePlan> plans{{face, std::move(*loops), std::nullopt, {}, false, false, false}};
     divide_edges(shape, plans, layout, options, progress);
     double quality = 0;
     return !fail_safe_cover(shape, plans.front(), layout, options, "auto", refusal, quality,
@@ -191,10 +264,15 @@ void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &lay
         if (!loops) {
             refused[face] = refusal;
         } else if (!covered.contains(face)) {
-            plans.push_back({face, std::move(*loops), std::nullopt, {}, false});
+            join_touching_loops(shape, face, *loops);
+            plans.push_back({face, std::move(*loops), std::nullopt, {}, false, false, false});
         }
     }
-    divide_edges(shape, plans, layout, options, progress);
+    if (method == "auto") {
+        divide_for_the_best(shape, plans, layout, options, progress);
+    } else {
+        divide_edges(shape, plans, layout, options, progress);
+    }
     for (const FacePlan &plan : plans) {
         poll(progress, 0.2 + 0.8 * static_cast<double>(&plan - plans.data()) /
                                  static_cast<double>(plans.size()));

@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace nmgs::cad {
 namespace {
@@ -90,6 +91,16 @@ Vec3 point_at(const CadShape &shape, const EdgeUse &use, double s) {
         curve.Value(curve.FirstParameter() + f * (curve.LastParameter() - curve.FirstParameter())));
 }
 
+double rough_length(const CadShape &shape, const EdgeUse &use) {
+    constexpr int samples = 12;
+    double sum = 0;
+    for (int i = 0; i < samples; ++i) {
+        sum += distance(point_at(shape, use, static_cast<double>(i) / samples),
+                        point_at(shape, use, (i + 1.0) / samples));
+    }
+    return sum;
+}
+
 // Signed turn from a to b about the normal.
 double turn(Vec3 a, Vec3 b, Vec3 normal) {
     return std::atan2(dot(normal, cross(a, b)), dot(a, b) - dot(a, normal) * dot(b, normal));
@@ -110,16 +121,23 @@ double interior_angle(const CadShape &shape, const FaceSurface &surface, const E
         angle = pi - turn(direction(before, true), direction(use, false),
                           {0, 0, surface.reversed() ? -1.0 : 1.0});
     } else {
-        const Vec3 corner = use.start;
         // Chords, longer ones where the curves run back on themselves and only their bend tells
         // on which side the face is.
+        double back = 1;
+        double ahead = 1;
         for (const double s : {1e-4, 1e-2, 5e-2, 0.2}) {
-            const Vec3 in = corner - point_at(shape, before, 1 - s);
-            const Vec3 out = point_at(shape, use, s) - corner;
+            // From the curves' own ends: the vertex is near these, maybe not near enough.
+            const Vec3 in = point_at(shape, before, 1) - point_at(shape, before, 1 - back * s);
+            const Vec3 out = point_at(shape, use, ahead * s) - point_at(shape, use, 0);
             angle = pi - turn(in, out, normal);
             if (angle > 1e-2 && angle < 2 * pi - 1e-2) {
                 break;
             }
+            // Of the same length, as far as the shares are those of lengths.
+            const double one = rough_length(shape, before);
+            const double two = rough_length(shape, use);
+            back = std::min(1.0, two / one);
+            ahead = std::min(1.0, one / two);
         }
     }
     return std::clamp(angle, 1e-6, 2 * pi - 1e-6);
@@ -140,6 +158,9 @@ std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &re
     FaceLoops result;
     bool closed = true;
     for (TopoDS_Iterator wire(forward); wire.More(); wire.Next()) {
+        if (wire.Value().ShapeType() == TopAbs_VERTEX) {
+            result.points.push_back(shape.vertices.FindIndex(wire.Value()));
+        }
         if (wire.Value().ShapeType() != TopAbs_WIRE) {
             continue;
         }
@@ -191,6 +212,16 @@ std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &re
                    {name}};
         return std::nullopt;
     }
+    std::set<int> at_edges;
+    const auto note = [&](const EdgeUse &use) {
+        at_edges.insert(shape.vertices.FindIndex(TopExp::FirstVertex(shape.edge(use.edge))));
+        at_edges.insert(shape.vertices.FindIndex(TopExp::LastVertex(shape.edge(use.edge))));
+    };
+    std::for_each(result.inner.begin(), result.inner.end(), note);
+    for (const FaceLoop &loop : result.loops) {
+        std::for_each(loop.begin(), loop.end(), note);
+    }
+    std::erase_if(result.points, [&](int n) { return at_edges.contains(n); });
     const FaceSurface surface(original);
     std::vector<double> areas;
     for (FaceLoop &loop : result.loops) {
@@ -204,6 +235,48 @@ std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &re
     std::rotate(result.loops.begin(), result.loops.begin() + outer,
                 result.loops.begin() + outer + 1);
     return result;
+}
+
+void join_touching_loops(const CadShape &shape, int face, FaceLoops &loops) {
+    const FaceSurface surface(shape.face(face));
+    const Uv span = surface.high() - surface.low();
+    const auto same = [&](const EdgeUse &a, const EdgeUse &b) {
+        constexpr double near = 1e-6;
+        const Uv d = a.begin() - b.begin();
+        return a.vertex == b.vertex && std::abs(d.u) <= near * span.u &&
+               std::abs(d.v) <= near * span.v;
+    };
+    const auto join = [&](FaceLoop &one, const FaceLoop &two) {
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            for (std::size_t k = 0; k < two.size(); ++k) {
+                if (!same(one[i], two[k])) {
+                    continue;
+                }
+                FaceLoop turned = two;
+                std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(k),
+                            turned.end());
+                const std::size_t n = turned.size();
+                one.insert(one.begin() + static_cast<std::ptrdiff_t>(i), turned.begin(),
+                           turned.end());
+                for (const std::size_t u : {i, i + n}) {
+                    one[u].angle = interior_angle(shape, surface,
+                                                  one[(u + one.size() - 1) % one.size()], one[u]);
+                }
+                return true;
+            }
+        }
+        return false;
+    };
+    for (std::size_t l = 0; l < loops.loops.size(); ++l) {
+        for (std::size_t m = l + 1; m < loops.loops.size();) {
+            if (join(loops.loops[l], loops.loops[m])) {
+                loops.loops.erase(loops.loops.begin() + static_cast<std::ptrdiff_t>(m));
+                m = l + 1;
+            } else {
+                ++m;
+            }
+        }
+    }
 }
 
 } // namespace nmgs::cad

@@ -43,10 +43,16 @@ struct FaceLoops {
     std::vector<FaceLoop> loops;
     // Edges that lie inside the face and bound nothing.
     std::vector<EdgeUse> inner;
+    // VertexN that lie inside the face, on no edge of it.
+    std::vector<int> points;
 };
 
 // The face's own orientation counts. None, and why, when the boundary does not close, the face has
 // none, or an edge has no curve in the parameters.
 std::optional<FaceLoops> face_loops(const CadShape &shape, int face, Refusal &refusal);
+
+// Loops that meet at a vertex become one that goes through it twice: the corners between them are
+// then the face's own. (A hole that touches the rim leaves two cusps.)
+void join_touching_loops(const CadShape &shape, int face, FaceLoops &loops);
 
 } // namespace nmgs::cad

@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 } // namespace
 
 std::optional<LogicalSides> logical_sides(const FaceLoops &loops, Refusal &refusal) {
-    if (loops.loops.size() != 1 || !loops.inner.empty()) {
+    if (loops.loops.size() != 1 || !loops.inner.empty() || !loops.points.empty()) {
         refusal = {"more than one loop bounds the face", {}};
         return std::nullopt;
     }

@@ -187,6 +187,23 @@ double curved_quality(const FaceMesh &mesh, const FaceSurface &surface) {
         if (norm2(normal) == 0) {
             continue;
         }
+        bool tip = false;
+        for (std::size_t c = 0; c < 4; ++c) {
+            tip = tip || unavoidable(mesh, quad, c);
+        }
+        if (tip) {
+            // It is not divided: its chords count.
+            for (std::size_t c = 0; c < 4; ++c) {
+                const Vec3 a = nodes[(c + 1) % 4] - nodes[c];
+                const Vec3 b = nodes[(c + 3) % 4] - nodes[c];
+                const double sine =
+                    dot(cross(a, b), normal) / (norm(a) * norm(b) * norm(normal) + 1e-300);
+                if (sine <= 0 || !unavoidable(mesh, quad, c)) {
+                    least = std::min(least, sine);
+                }
+            }
+            continue;
+        }
         // Between the corners only: there the sine of the sharpest corner counts by itself.
         constexpr std::array<double, 3> at{-0.75, 0, 0.75};
         for (const double xi : at) {
@@ -201,15 +218,24 @@ double curved_quality(const FaceMesh &mesh, const FaceSurface &surface) {
     return least;
 }
 
-double worst_avoidable(const FaceMesh &mesh, const FaceSurface &surface) {
+bool unavoidable(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad, std::size_t c) {
     constexpr double sharp = 0.35;
+    const FaceMesh::Rim &rim = mesh.rim[static_cast<std::size_t>(quad[c])];
+    const std::int32_t ahead = quad[(c + 1) % 4];
+    const std::int32_t back = quad[(c + 3) % 4];
+    // Where the boundary touches itself it has no single direction.
+    const bool touched = norm2(rim.to_before) == 0 && norm2(rim.to_after) == 0 &&
+                         norm2(mesh.normals[static_cast<std::size_t>(quad[c])]) > 0;
+    return mesh.fixed(quad[c]) && rim.angle < sharp &&
+           (touched ? mesh.fixed(ahead) && mesh.fixed(back)
+                    : ahead == rim.after && back == rim.before);
+}
+
+double worst_avoidable(const FaceMesh &mesh, const FaceSurface &surface) {
     double least = curved_quality(mesh, surface);
     for (const auto &quad : mesh.quads) {
         for (std::size_t c = 0; c < 4; ++c) {
-            const FaceMesh::Rim &rim = mesh.rim[static_cast<std::size_t>(quad[c])];
-            const bool whole = mesh.fixed(quad[c]) && rim.angle < sharp &&
-                               quad[(c + 1) % 4] == rim.after && quad[(c + 3) % 4] == rim.before;
-            if (!whole) {
+            if (!unavoidable(mesh, quad, c)) {
                 least = std::min(least, corner_quality(mesh, quad, c));
             }
         }

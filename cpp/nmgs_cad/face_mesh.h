@@ -54,11 +54,13 @@ double corner_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &q
 // The least over the corners.
 double quad_quality(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad);
 double worst_quality(const FaceMesh &mesh);
+// Corner c is one of the face's own that is sharper than about 20 degrees, and the quad has it to
+// itself: no layout can do anything about it.
+bool unavoidable(const FaceMesh &mesh, const std::array<std::int32_t, 4> &quad, std::size_t c);
 // Least sine of the angle between the coordinate lines of the quads as 8-node patches with their
 // middles on the CAD, at the corners and on lines between them.
 double curved_quality(const FaceMesh &mesh, const FaceSurface &surface);
-// The same without the corners of the face that are sharper than about 20 degrees: no layout can
-// do anything about these.
+// The same without the corners that are unavoidable.
 double worst_avoidable(const FaceMesh &mesh, const FaceSurface &surface);
 
 // Puts the nodes inside and the quads into the layout.

@@ -99,7 +99,7 @@ std::optional<FaceMesh> two_rows(const FaceSurface &surface, FaceMesh mesh, cons
 } // namespace
 
 std::vector<std::size_t> midpoint_corners(const FaceLoops &loops) {
-    if (loops.loops.size() != 1 || !loops.inner.empty()) {
+    if (loops.loops.size() != 1 || !loops.inner.empty() || !loops.points.empty()) {
         return {};
     }
     constexpr double widest_corner = 0.75 * pi;

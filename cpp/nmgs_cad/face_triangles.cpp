@@ -118,6 +118,30 @@ struct Placer {
     }
 };
 
+// The fourth corners of the quads in sharp corners of the face: a little beyond the line between
+// their neighbours, so that only the corner itself is sharp.
+std::vector<Uv> points_in_tips(const FaceMesh &mesh) {
+    constexpr double sharp = 0.35;
+    constexpr double beyond = 0.3; // of the line's length
+    std::vector<Uv> result;
+    for (std::size_t n = 0; n < mesh.rim.size(); ++n) {
+        const FaceMesh::Rim &rim = mesh.rim[n];
+        if (rim.before < 0 || rim.after < 0 || rim.angle >= sharp || norm2(mesh.normals[n]) == 0) {
+            continue;
+        }
+        const Vec3 a = mesh.points[at(rim.before)];
+        const Vec3 b = mesh.points[at(rim.after)];
+        const Vec3 middle = 0.5 * (a + b);
+        const double way = distance(middle, mesh.points[n]);
+        if (way > distance(a, b)) {
+            const Uv half = 0.5 * (mesh.uv[at(rim.before)] + mesh.uv[at(rim.after)]);
+            const double share = beyond * distance(a, b) / way;
+            result.push_back(half + share * (half - mesh.uv[n]));
+        }
+    }
+    return result;
+}
+
 // Signed by the normal; 1 for an equilateral triangle.
 double shape_of(const FaceMesh &mesh, const Triangle &t) {
     const Vec3 a = mesh.points[at(t[0])];
@@ -297,7 +321,7 @@ std::optional<FaceTriangles> triangulate_face(const FaceSurface &surface,
             for (const std::int32_t n : numbers[l]) {
                 // Inside the face the tangents of the boundary do not apply.
                 auto &rim = mesh.rim[at(n)];
-                if (rim.angle == pi) {
+                if (rim.angle == pi || rim.angle == 0) {
                     rim.angle = 2 * pi;
                 }
             }
@@ -340,6 +364,12 @@ std::optional<FaceTriangles> triangulate_face(const FaceSurface &surface,
             placer.sources.push_back(mesh.points[at(s[0])] +
                                      t * (mesh.points[at(s[1])] - mesh.points[at(s[0])]));
             placer.asked.push_back(length);
+        }
+    }
+    for (const Uv p : points_in_tips(mesh)) {
+        if (placer.inside(p)) {
+            placer.accepted.push_back(p);
+            placer.places.push_back(surface.at(p));
         }
     }
     placer.divide(surface.low(), surface.high(), 0);

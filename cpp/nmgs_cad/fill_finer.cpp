@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/fill_finer.h"
 
+#include "nmgs/support/at.h"
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/layout_quality.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <span>
 
 namespace nmgs::cad {
 
@@ -21,8 +24,9 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     constexpr std::size_t enough = 3000; // hexahedra: no finer than this
     std::optional<Layout> best;
     double quality = -2;
+    const auto most = std::min<std::size_t>(std::size(steps), at(std::max(options.attempts, 1)));
     // What neighbours have laid out may ask for a finer layout than the first.
-    for (const Step &step : steps) {
+    for (const Step &step : std::span(steps).first(most)) {
         poll(progress, 0.0);
         LayoutOptions finer = options;
         finer.angle *= step.angle;
@@ -33,9 +37,11 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
         Layout trial = layout;
         Refusal why;
         if (!fill(trial, finer, why)) {
-            if (!best && &step != &steps[0]) {
+            if (!best) {
                 refusal = why;
-                return false;
+                if (&step != &steps[0]) {
+                    return false;
+                }
             }
             continue;
         }
@@ -48,6 +54,9 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
         if (quality >= good || count > enough) {
             break;
         }
+    }
+    if (!best) {
+        return false;
     }
     if (quality <= 0) {
         refusal = {"its blocks would be folded", {entity_name(3, solid)}};

@@ -6,9 +6,15 @@
 
 #include "nmgs_cad/face_mesh.h"
 
+#include <array>
+#include <cstdint>
+#include <set>
+
 namespace nmgs::cad {
 
-// Inside four quads are wanted at a node, on the boundary one a right angle; the boundary stays.
-void clean_up_quads(FaceMesh &mesh, const FaceSurface &surface);
+// Inside four quads are wanted at a node, on the boundary one a right angle; the boundary stays,
+// and so do the edges that are kept (ends ascending).
+void clean_up_quads(FaceMesh &mesh, const FaceSurface &surface,
+                    const std::set<std::array<std::int32_t, 2>> &kept = {});
 
 } // namespace nmgs::cad

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace nmgs::cad {
 namespace {
@@ -165,9 +166,16 @@ struct Smoother {
 
 void smooth_quads(FaceMesh &mesh, const FaceSurface &surface, int laplace_rounds,
                   int search_rounds) {
+    std::vector<std::size_t> all(mesh.points.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    smooth_quads(mesh, surface, laplace_rounds, search_rounds, all);
+}
+
+void smooth_quads(FaceMesh &mesh, const FaceSurface &surface, int laplace_rounds, int search_rounds,
+                  std::span<const std::size_t> nodes) {
     Smoother smoother(mesh, surface);
     std::vector<std::size_t> free;
-    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+    for (const std::size_t n : nodes) {
         if (mesh.layout_point[n] < 0 && !smoother.quads_at[n].empty()) {
             free.push_back(n);
         }

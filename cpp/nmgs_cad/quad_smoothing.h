@@ -4,6 +4,8 @@
 
 #include "nmgs_cad/face_mesh.h"
 
+#include <span>
+
 namespace nmgs::cad {
 
 // Laplace's rule first, then, node by node, a direct search for the least sum of exp(-s q) over the
@@ -13,5 +15,8 @@ namespace nmgs::cad {
 // swapping and smoothing, 1997.
 void smooth_quads(FaceMesh &mesh, const FaceSurface &surface, int laplace_rounds,
                   int search_rounds);
+// Only of these nodes, as far as they are free.
+void smooth_quads(FaceMesh &mesh, const FaceSurface &surface, int laplace_rounds, int search_rounds,
+                  std::span<const std::size_t> nodes);
 
 } // namespace nmgs::cad

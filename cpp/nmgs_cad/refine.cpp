@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/refine.h"
 
+#include "nmgs/blocking/cusp.h"
 #include "nmgs/blocking/divisions.h"
 #include "nmgs/blocking/generate.h"
 #include "nmgs/element/hexa20.h"
@@ -238,6 +239,18 @@ std::vector<double> errors_of_chains(const CadBlocks &blocks, const Snapped &fin
     for (std::size_t d = 0; d < errors.size(); ++d) {
         double &error = result[static_cast<std::size_t>(chains.chain[d])];
         error = std::max(error, errors[d]);
+    }
+    // Halved, a patch that ends in a cusp would be the worse for it: only where the fit is bad.
+    constexpr double patience = 0.1;
+    std::vector<char> cusp(result.size(), 0);
+    for (std::size_t b = 0; b < n && dimension == 2; ++b) {
+        if (ends_in_cusp(blocks.model.element(b))) {
+            cusp[static_cast<std::size_t>(chains.chain[2 * b])] = 1;
+            cusp[static_cast<std::size_t>(chains.chain[2 * b + 1])] = 1;
+        }
+    }
+    for (std::size_t c = 0; c < result.size(); ++c) {
+        result[c] *= cusp[c] != 0 ? patience : 1;
     }
     return result;
 }

@@ -49,6 +49,7 @@ EdgeGeometry::EdgeGeometry(const TopoDS_Edge &edge)
 
 SkinMesh::SkinMesh(const CadShape &shape, const SkinOptions &options)
     : bound(at(shape.edges.Extent()) + 1, 0), inner(at(shape.edges.Extent()) + 1, 0),
+      face_turn(at(shape.faces.Extent()) + 1, 1), edge_turn(at(shape.edges.Extent()) + 1, 1),
       diagonal(shape.diagonal()), shape_(shape), options_(options),
       faces_(at(shape.faces.Extent()) + 1), edges_(at(shape.edges.Extent()) + 1),
       face_scale_(at(shape.faces.Extent()) + 1, diagonal),
@@ -216,7 +217,7 @@ Vec3 SkinMesh::tangent(std::int32_t edge, double t) const {
     return l > 0 ? (1 / l) * vec(d.XYZ()) : Vec3{0, 0, 0};
 }
 
-double SkinMesh::edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge) {
+double SkinMesh::turn_along(std::int32_t a, std::int32_t b, std::int32_t edge) {
     const EdgeGeometry &geometry = this->edge(edge);
     if (geometry.curve.GetType() == GeomAbs_Line) {
         return 0;
@@ -243,7 +244,7 @@ double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face, doubl
     double share = 1; // what is curved both ways loses twice the volume
     const std::int32_t edge = segment(a, b);
     if (edge != 0) {
-        turn = edge_turn(a, b, edge);
+        turn = turn_along(a, b, edge);
     } else if (!this->face(face).planar()) {
         const SurfaceFrame fa = corner(face, a).frame;
         const SurfaceFrame fb = corner(face, b).frame;
@@ -259,6 +260,7 @@ double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face, doubl
         }
     }
     const double scale = edge != 0 ? edge_scale_[at(edge)] : face_scale_[at(face)];
+    share *= edge != 0 ? edge_turn[at(edge)] : face_turn[at(face)];
     return d > 0 ? std::max(plain, turn / (share * turn_allowed(turn / d, scale))) : 0;
 }
 
@@ -830,8 +832,8 @@ void SkinMesh::find_sizes(const std::vector<double> &also) {
             const SurfaceFrame frame = corner(f, n).frame;
             const double k = std::max(std::abs(frame.major), 1e-12 / diagonal);
             if (frame.regular) {
-                h = std::min(
-                    h, std::max(tiny, options_.stretch * turn_allowed(k, face_scale_[at(f)]) / k));
+                h = std::min(h, std::max(tiny, options_.stretch * face_turn[at(f)] *
+                                                   turn_allowed(k, face_scale_[at(f)]) / k));
             }
         }
         if (p.on.dimension == 1 && edge(p.on.index).curve.GetType() != GeomAbs_Line) {
@@ -842,7 +844,9 @@ void SkinMesh::find_sizes(const std::vector<double> &also) {
             const double l = d1.Magnitude();
             const double k = l > 0 ? d1.Crossed(d2).Magnitude() / (l * l * l) : 0;
             if (k > 0) {
-                h = std::min(h, std::max(tiny, turn_allowed(k, edge_scale_[at(p.on.index)]) / k));
+                h = std::min(h,
+                             std::max(tiny, edge_turn[at(p.on.index)] *
+                                                turn_allowed(k, edge_scale_[at(p.on.index)]) / k));
             }
         }
         if (at(n) < also.size()) {

@@ -48,6 +48,8 @@ public:
     std::vector<std::vector<std::int32_t>> around; // triangles of each point
     std::vector<char> bound;                       // by CAD edge: its division is given
     std::vector<int> inner;                        // by CAD edge: points between its ends
+    // By CAD face, edge: what the allowed turn is multiplied by.
+    std::vector<double> face_turn, edge_turn;
     [[nodiscard]] bool closed(std::int32_t edge) const;
 
     void add_triangle(std::array<std::int32_t, 3> p, std::int32_t face);
@@ -102,7 +104,7 @@ private:
     // With point p[0] at another place.
     double normal_of(const std::array<Vec3, 3> &at,
                      const std::array<SurfaceFrame, 3> &frames) const;
-    double edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge);
+    double turn_along(std::int32_t a, std::int32_t b, std::int32_t edge);
     void replace(std::int32_t triangle, std::int32_t from, std::int32_t to);
     void remove(std::int32_t triangle);
     bool smooth_point(std::int32_t n);

@@ -26,6 +26,11 @@ struct Pieces {
 std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
                             const TopTools_ListOfShape &tools, Refusal &refusal);
 
+// The pieces of solids of the shape, cut by more tools. What meets face to face already is not
+// intersected once more.
+std::optional<Pieces> split(const CadShape &shape, const Pieces &pieces,
+                            const TopTools_ListOfShape &tools, Refusal &refusal);
+
 // All solids of the shape imprinted on each other: those that touch share their faces from then on.
 // What two of them have in common lies on that of the one that comes first.
 std::optional<Pieces> imprint(const CadShape &shape, Refusal &refusal);

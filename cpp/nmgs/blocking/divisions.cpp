@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs/blocking/divisions.h"
 
+#include "nmgs/blocking/cusp.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/support/error.h"
@@ -277,6 +278,14 @@ std::vector<std::array<std::int32_t, 3>> solve_divisions(const BlockModel &model
     }
     std::vector<double> longest(count, 0);
     std::vector<std::int32_t> present(count, 1);
+    // Finer, a patch that ends in a cusp would be the worse for it.
+    std::vector<char> single(count, 0);
+    for (std::size_t b = 0; b < model.size() && n == 2; ++b) {
+        if (ends_in_cusp(model.element(b))) {
+            single[static_cast<std::size_t>(chains.chain[2 * b])] = 1;
+            single[static_cast<std::size_t>(chains.chain[2 * b + 1])] = 1;
+        }
+    }
     for (std::size_t at = 0; at < chains.chain.size(); ++at) {
         const auto chain = static_cast<std::size_t>(chains.chain[at]);
         const auto d = static_cast<int>(at % n);
@@ -293,6 +302,8 @@ std::vector<std::array<std::int32_t, 3>> solve_divisions(const BlockModel &model
             value = hard[chain]->count;
         } else if (soft[chain] > 0) {
             value = soft[chain];
+        } else if (size > 0 && single[chain] != 0) {
+            value = 1;
         } else if (size > 0) {
             // A length that is a whole number of sizes but for rounding is just that.
             const double needed = std::ceil(longest[chain] / size - 1e-9);

@@ -37,10 +37,11 @@ struct DivisionWish {
 };
 
 // Divisions of all blocks: of a chain with hard wishes, that count; else the largest soft wish;
-// else, where size > 0, the fewest with no element longer than size on the chain's longest edge;
-// else the largest of the model's divisions.
-// Raises BlockingError naming the blocks and the chain of blocks that links them when hard wishes
-// contradict each other; ArgumentError for blocks, directions, counts, sizes out of range.
+// else, where size > 0, the fewest with no element longer than size on the chain's longest edge
+// (one where a patch of the chain ends in a cusp, see cusp.h); else the largest of the model's
+// divisions. Raises BlockingError naming the blocks and the chain of blocks that links them when
+// hard wishes contradict each other; ArgumentError for blocks, directions, counts, sizes out of
+// range.
 std::vector<std::array<std::int32_t, 3>> solve_divisions(const BlockModel &model,
                                                          const Topology &topology,
                                                          std::span<const DivisionWish> wishes,
