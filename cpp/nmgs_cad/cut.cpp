@@ -237,9 +237,10 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
         layout = std::move(wholesale);
         return true;
     }
+    constexpr double enough = 0.2;
     Refusal no_sweeps;
-    if (solids.size() == 1 &&
-        fill_cut_to_sweep(shape, solids[0], layout, options, no_sweeps, progress)) {
+    if (quality < enough && solids.size() == 1 &&
+        fill_cut_to_sweep(shape, solids.front(), layout, options, no_sweeps, progress)) {
         return true;
     }
     double lowest = state->weight;

@@ -30,7 +30,7 @@ namespace {
 constexpr int most_cuts = 16;
 constexpr int most_pieces = 80;
 constexpr int most_work = 3000; // faces of all the pieces that are looked at
-constexpr int most_fillings = 6;
+constexpr int most_fillings = 4;
 constexpr std::size_t most_planes = 8;
 
 struct Candidate {
@@ -132,13 +132,13 @@ std::vector<Candidate> good_cuts(const CadShape &one, double diagonal, double ma
     std::vector<Candidate> result;
     for (Candidate &candidate : candidates_of(one, sweepability(one, 1), margin)) {
         poll(progress, 0.3);
-        if (work > most_work) {
+        if (work <= 0) {
             break;
         }
         Refusal ignored;
         const std::vector<int> alone{1};
         const auto pieces = split(one, alone, candidate.faces, ignored);
-        work += pieces ? pieces->cad.faces.Extent() : one.faces.Extent();
+        work -= pieces ? pieces->cad.faces.Extent() : one.faces.Extent();
         if (!pieces || pieces->cad.solids.Extent() < 2) {
             continue;
         }
@@ -188,6 +188,7 @@ std::optional<Layout> fill_pieces(const Pieces &pieces, const LayoutOptions &opt
     SolidLayoutOptions without_cuts;
     without_cuts.layout = options;
     without_cuts.cuts = false;
+    without_cuts.layout.attempts = 3;
     std::optional<Layout> best;
     double quality = least;
     for (const double segments : {4.0, 0.0}) {
@@ -219,8 +220,8 @@ std::optional<Layout> fill_pieces(const Pieces &pieces, const LayoutOptions &opt
 }
 
 struct Budget {
-    int work = 0;
-    int fillings = 0;
+    int work;
+    int fillings;
 };
 
 // With boxes of one margin.
@@ -266,7 +267,7 @@ bool fill_with(const CadShape &shape, int solid, double margin, Budget &budget, 
                 continue;
             }
             if (bad_pieces(next->cad).empty()) {
-                if (++budget.fillings > most_fillings) {
+                if (--budget.fillings < 0) {
                     return false;
                 }
                 const auto of_pieces = fill_pieces(*next, options, refusal, progress);
@@ -293,13 +294,18 @@ bool fill_with(const CadShape &shape, int solid, double margin, Budget &budget, 
 
 bool fill_cut_to_sweep(const CadShape &shape, int solid, Layout &layout,
                        const LayoutOptions &options, Refusal &refusal, const Progress &progress) {
-    Budget budget;
+    const int work =
+        options.cut_work != nullptr ? std::min(*options.cut_work, most_work) : most_work;
+    Budget budget{work, most_fillings};
+    bool filled = false;
     for (const double margin : {0.3, 0.15, 0.6}) {
-        if (fill_with(shape, solid, margin, budget, layout, options, refusal, progress)) {
-            return true;
-        }
+        filled =
+            filled || fill_with(shape, solid, margin, budget, layout, options, refusal, progress);
     }
-    return false;
+    if (options.cut_work != nullptr) {
+        *options.cut_work -= work - budget.work;
+    }
+    return filled;
 }
 
 } // namespace nmgs::cad

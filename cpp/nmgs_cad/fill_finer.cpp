@@ -24,9 +24,8 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     constexpr std::size_t enough = 3000; // hexahedra: no finer than this
     std::optional<Layout> best;
     double quality = -2;
-    Refusal last;
-    // What neighbours have laid out may ask for a finer layout than the first.
     const auto most = std::min<std::size_t>(std::size(steps), at(std::max(options.attempts, 1)));
+    // What neighbours have laid out may ask for a finer layout than the first.
     for (const Step &step : std::span(steps).first(most)) {
         poll(progress, 0.0);
         LayoutOptions finer = options;
@@ -36,9 +35,13 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
             finer.size = options.size > 0 ? std::min(options.size, size) : size;
         }
         Layout trial = layout;
-        if (!fill(trial, finer, last)) {
-            if (!best && &step != &steps[0]) {
-                break;
+        Refusal why;
+        if (!fill(trial, finer, why)) {
+            if (!best) {
+                refusal = why;
+                if (&step != &steps[0]) {
+                    return false;
+                }
             }
             continue;
         }
@@ -53,7 +56,6 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
         }
     }
     if (!best) {
-        refusal = last;
         return false;
     }
     if (quality <= 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/solid_layout.h"
 
+#include "nmgs_cad/cut.h"
 #include "nmgs_cad/solid_groups.h"
 #include "nmgs_cad/solid_likeness.h"
 #include "nmgs_cad/split.h"
@@ -94,6 +95,10 @@ TEST(SolidLayout, ABallInABox) {
     const CadShape shape =
         imprinted({BRepAlgoAPI_Cut(box(-1, -1, -1, 2, 2, 2), ball).Shape(), ball});
     ASSERT_EQ(shape.solids.Extent(), 2);
+    Layout both(shape);
+    Refusal refusal;
+    EXPECT_TRUE(cut_solids(shape, all_of(shape), both, {}, refusal, {})) << refusal.reason;
+    expect_sound(shape, both, 2e-2);
     Layout layout(shape);
     const auto report = layout_solids(shape, all_of(shape), layout);
     for (const FitEntry &entry : report) {
