@@ -27,7 +27,7 @@ ROUNDS = 4
 ANGLES = (0.45, 0.37, 0.6)
 #: Triangles of a skin that is not made finer.
 MOST_TRIANGLES = 30_000
-#: Seconds after which no further round begins; twice as many while there is no sound layout.
+#: Seconds after which no third round begins; twice as many while there is no sound layout.
 PATIENCE = 20.0
 #: Scaled Jacobian of the mesh from which blocks are left as they are.
 SOUND = 0.001
@@ -102,7 +102,7 @@ def _best_round(
     for round_ in range(ROUNDS):
         if round_:
             enough = best is not None and best.sound
-            late = time.monotonic() - start > (1 if enough else 2) * PATIENCE
+            late = round_ > 1 and time.monotonic() - start > (1 if enough else 2) * PATIENCE
             if vain > 1 or (late and best is not None) or len(skin.triangles) > MOST_TRIANGLES:
                 break
             builder.refine(where, _share(progress, round_, 0))
