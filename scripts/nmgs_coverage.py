@@ -260,7 +260,16 @@ class SolidCheck(Check):
         if error > 0.01:
             problems.append(f"volume error {error:.2%}")
         problems += filter(None, (self.face_problem(face) for face in solid.Faces))
-        problems += self.vertices_and_edges(solid, self.face_lines(solid.Faces))
+        lines = self.face_lines(solid.Faces)
+        of_faces = {self.number_of_edge(edge) for face in solid.Faces for edge in face.Edges}
+        inside = [n for n in map(self.number_of_edge, solid.Edges) if n not in of_faces]
+        if inside:  # edges of hexahedra cover these, not edges of the faces' quads
+            corners = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (3, 2, 6, 7))
+            rows = np.concatenate([self.hexes[cells][:, list(c)] for c in corners])
+            own = np.unique(np.concatenate([self.group(f"Edge{n}") for n in inside]))
+            rows = np.unique(self.mesh_edges(rows), axis=0)
+            lines = lines + rows[np.isin(rows, own).any(axis=1)].tolist()
+        problems += self.vertices_and_edges(solid, lines)
         return {"worst": worst, "volume_error": error, "problems": problems}
 
     def whole(self):

@@ -5,6 +5,7 @@
 #include "cad_fit.h"
 
 #include "nmgs_cad/cad_tets.h"
+#include "nmgs_cad/inner_edges.h"
 #include "nmgs_cad/layout.h"
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/skin.h"
@@ -185,6 +186,8 @@ void bind_tets(py::module_ &module) {
         .def(py::init<const cad::CadShape &>(), py::arg("shape"));
     module.def("solid_faces", &cad::solid_faces, py::arg("shape"), py::arg("solid"),
                "(n of FaceN, whether it bounds the solid) of each face of a solid.");
+    module.def("inner_edges", &cad::inner_edges, py::arg("shape"), py::arg("solid"),
+               "n of each EdgeN inside a solid, on none of its faces.");
     module.def("inner_points", &inner_points, py::arg("shape"), py::arg("solid"),
                "Places of the vertices inside a solid, on none of its faces.");
     module.def("tet_blocks", &tet_blocks, py::arg("shape"), py::arg("layout"), py::arg("solids"),

@@ -73,7 +73,7 @@ struct Builder {
 
 constexpr double bad = 0.2; // a scaled Jacobian that calls for better nodes
 // The same where each block is one element: strategies have improved their layouts.
-constexpr double bad_layout = 0.02;
+constexpr double bad_layout = 1e-3;
 
 // Mid-side nodes of a quadratic cell with the ends of their edges.
 std::span<const std::array<std::size_t, 3>> mid_sides(int dimension) {

@@ -4,6 +4,7 @@
 #include "nmgs/plc/check.h"
 #include "nmgs/support/at.h"
 #include "nmgs/support/box_tree.h"
+#include "nmgs_cad/inner_edges.h"
 #include "nmgs_cad/skin_mesh.h"
 #include "nmgs_cad/skin_start.h"
 
@@ -363,7 +364,10 @@ void SkinBuilder::finish(const Progress &progress) {
 }
 
 Skin SkinBuilder::skin() const {
-    return output(*mesh_, shape_);
+    Skin skin = output(*mesh_, shape_);
+    const double size = options_.size > 0 ? options_.size : mesh_->diagonal / 6;
+    add_inner_edges(shape_, faces_, size, options_.angle, skin);
+    return skin;
 }
 
 void SkinBuilder::refine(std::span<const SkinOptions::Limit> limits, const Progress &progress) {

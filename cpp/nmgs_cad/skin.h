@@ -26,6 +26,7 @@ struct Skin {
     std::vector<std::int32_t> faces;                    // n of FaceN, one a triangle
     std::vector<std::array<Uv, 3>> uv;                  // of each triangle's corners in its face
     // Of CAD edge n at n, as Layout::edges; empty for edges of other faces and degenerated ones.
+    // Edges inside solids have points of their own, which belong to no triangle.
     std::vector<std::vector<std::int32_t>> edges;
     std::vector<std::vector<double>> parameters; // of these points in the edge's curve
     // Point of SkinOptions::fixed that each point is, or -1.

@@ -944,7 +944,8 @@ void SkinMesh::drop_flat() {
     constexpr double flat = 0.01; // height by the longest side
     for (int round = 0; round < 3; ++round) {
         bool any = false;
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const std::size_t count = triangles.size(); // new ones have their turn in the next round
+        for (std::size_t t = 0; t < count; ++t) {
             const Triangle triangle = triangles[t];
             if (triangle.face == 0) {
                 continue;

@@ -267,7 +267,14 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     };
     // The few that are inside out first: they need many sweeps over few points.
     better(0.005, 0.1, 0.5, 0.6);
-    better(0.1, 0.2, 0.6, 0.8);
+    // Where many stay so, a finer skin must help first.
+    constexpr std::ptrdiff_t many = 200;
+    const auto folded_ones = std::count_if(
+        layout.hexas.begin() + static_cast<std::ptrdiff_t>(first_hexa), layout.hexas.end(),
+        [&](const auto &hexa) { return corners_of(layout, hexa) < sound; });
+    if (folded_ones < many) {
+        better(0.1, 0.2, 0.6, 0.8);
+    }
 
     // A finer skin helps where the CAD bends a tetrahedron, and a flat one anywhere is still sound.
     constexpr double folded = 0.03;

@@ -117,3 +117,14 @@ def test_one_solid_of_two_is_filled_alone():
 def test_a_cancelled_fit_says_so():
     with pytest.raises(nmgs.Cancelled):
         nmgs.fit(Part.makeSphere(1), method="tet-to-hex", progress=lambda fraction: False)
+
+
+def test_solids_that_touch_at_a_vertex_share_its_node():
+    boxes = [Part.makeBox(1, 1, 1), Part.makeBox(2, 2, 2, Vector(1, 1, 1))]
+    shape, _ = boxes[0].generalFuse(boxes[1:])
+    model = nmgs.fit(shape, method="tet-to-hex")
+    mesh = model.generate()
+    common = [n for n, v in enumerate(shape.Vertexes, 1) if v.Point.isEqual(Vector(1, 1, 1), 1e-9)]
+    assert len(common) == 1
+    assert len(mesh.groups[f"Vertex{common[0]}"][1]) == 1
+    assert mesh.quality()["hexahedron"].min() > 0

@@ -193,11 +193,13 @@ def _joined_fits(parts: Sequence[Dict[str, Any]]) -> Dict[str, Any]:
         blocks += len(part["nodes"])
         ends += len(part["entities"])
         points += int(part["corners"].max()) + 1
+    ends_of = np.concatenate(offsets)
+    entities = np.concatenate([part["entities"] for part in parts])
     return {
         "nodes": np.concatenate([part["nodes"] for part in parts if len(part["nodes"])]),
-        "offsets": np.concatenate(offsets),
-        "entities": np.concatenate([part["entities"] for part in parts]),
-        "corners": np.concatenate(corners),
+        "offsets": ends_of,
+        "entities": entities,
+        "corners": _one_a_vertex(np.concatenate(corners), ends_of, entities),
         "whole": np.concatenate(
             [
                 part.get("whole", np.zeros(len(part["nodes"]), bool))
@@ -207,6 +209,26 @@ def _joined_fits(parts: Sequence[Dict[str, Any]]) -> Dict[str, Any]:
         ),
         "report": sorted(entries.values(), key=lambda entry: int(entry["entity"][5:])),
     }
+
+
+def _one_a_vertex(corners: np.ndarray, offsets: np.ndarray, entities: np.ndarray) -> np.ndarray:
+    """The blocks' corners with one number for each vertex of the CAD, where solids that share no
+    face may touch."""
+    codes = np.array(
+        [a + 3 * b + 9 * c for c in (0, 2) for a, b in ((0, 0), (2, 0), (2, 2), (0, 2))]
+    )
+    numbers = corners.reshape(-1)
+    rows = (27 * np.arange(len(numbers) // 8)[:, None] + codes).reshape(-1)
+    bound = np.flatnonzero(offsets[rows + 1] > offsets[rows])
+    on = entities[offsets[rows[bound]]]
+    bound, vertices = bound[on[:, 0] == 0], on[on[:, 0] == 0, 1]
+    if not len(bound):
+        return corners
+    first = np.full(vertices.max() + 1, np.iinfo(numbers.dtype).max, numbers.dtype)
+    np.minimum.at(first, vertices, numbers[bound])
+    renumbered = np.arange(numbers.max() + 1, dtype=numbers.dtype)
+    renumbered[numbers[bound]] = first[vertices]
+    return renumbered[numbers].reshape(corners.shape)
 
 
 def as_shape(source: Any) -> Any:

@@ -27,7 +27,7 @@ ROUNDS = 4
 ANGLES = (0.45, 0.37, 0.6)
 #: Triangles of a skin that is not made finer.
 MOST_TRIANGLES = 30_000
-#: Seconds after which no further round begins; twice as many while there is no sound layout.
+#: Seconds after which no third round begins; twice as many while there is no sound layout.
 PATIENCE = 20.0
 #: Scaled Jacobian of the mesh from which blocks are left as they are.
 SOUND = 0.001
@@ -102,7 +102,7 @@ def _best_round(
     for round_ in range(ROUNDS):
         if round_:
             enough = best is not None and best.sound
-            late = time.monotonic() - start > (1 if enough else 2) * PATIENCE
+            late = round_ > 1 and time.monotonic() - start > (1 if enough else 2) * PATIENCE
             if vain > 1 or (late and best is not None) or len(skin.triangles) > MOST_TRIANGLES:
                 break
             builder.refine(where, _share(progress, round_, 0))
@@ -179,10 +179,19 @@ def _tetrahedra(
     own = np.isin(skin.faces, [face for face, _ in faces])
     bounding = np.isin(skin.faces, [face for face, bounds in faces if bounds])
     triangles = skin.triangles[own]
-    used, local = np.unique(triangles, return_inverse=True)
-    local = local.reshape(-1, 3).astype(np.int32)
+    lines = _inner_lines(shape, skin, solid)
+    used = np.unique(np.concatenate([triangles.reshape(-1), lines.reshape(-1)]))
+    local = np.searchsorted(used, triangles).astype(np.int32)
     own_points = _kernel.cad().inner_points(shape, solid)
-    plc = PLC(np.concatenate([skin.points[used], own_points]), local, markers=skin.faces[own])
+    if len(lines) and len(own_points):  # ends of edges inside are the skin's
+        ends = skin.points[np.unique(lines)]
+        own_points = own_points[[not (ends == p).all(axis=1).any() for p in own_points]]
+    plc = PLC(
+        np.concatenate([skin.points[used], own_points]),
+        local,
+        markers=skin.faces[own],
+        edges=np.searchsorted(used, lines).astype(np.int32) if len(lines) else None,
+    )
     last: Optional[TetGenError] = None
     nothing = np.empty((0, 3)), np.empty((0, 4), np.int32)
     chosen = None
@@ -214,10 +223,32 @@ def _tetrahedra(
         return (*nothing, np.column_stack([places, 1.5 * size, 0.5 * size]))
     inside = _inside(mesh, skin.points, skin.triangles[bounding], solid)
     cells = mesh.cells["tetra"][inside]
+    missing = _not_edges(np.searchsorted(used, lines), cells)
+    if len(missing):  # TetGen put points on them, or they cross the skin
+        ends = skin.points[lines[missing]]
+        length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+        return (*nothing, np.column_stack([ends.mean(axis=1), length, 0.5 * length]))
     number = np.concatenate(
         [used, len(skin.points) + np.arange(len(mesh.points) - len(used))]
     ).astype(np.int32)
     return mesh.points[len(used) :], number[cells], np.empty((0, 5))
+
+
+def _inner_lines(shape: Any, skin: Any, solid: int) -> np.ndarray:
+    """(N, 2) points of the segments of the edges inside a solid."""
+    chains = [skin.edges[edge] for edge in _kernel.cad().inner_edges(shape, solid)]
+    rows = [pair for chain in chains for pair in zip(chain, chain[1:])]
+    return np.array(rows, np.int32).reshape(-1, 2)
+
+
+def _not_edges(lines: np.ndarray, cells: np.ndarray) -> np.ndarray:
+    """Which rows of lines are no edges of the tetrahedra."""
+    if not len(lines):
+        return np.empty(0, int)
+    pairs = [cells[:, [i, j]] for i in range(4) for j in range(i + 1, 4)]
+    edges = set(map(tuple, np.sort(np.concatenate(pairs), axis=1).tolist()))
+    rows = np.sort(lines, axis=1).tolist()
+    return np.flatnonzero([tuple(row) not in edges for row in rows])
 
 
 def _points_on_skin(mesh: Any, count: int) -> np.ndarray:
