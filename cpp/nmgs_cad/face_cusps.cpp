@@ -61,7 +61,7 @@ double tip_length(const CadShape &shape, int face, const FaceLoop &loop, std::si
     for (double s = least * shorter; s <= most && widest < wanted; s *= step) {
         const double a = angle(s);
         // Between a tangent and an arc the chord is off by the area of a segment of the circle.
-        constexpr double share = 0.01;
+        constexpr double share = 0.006;
         if (s * s * a / 6 > share * area) {
             break;
         }
