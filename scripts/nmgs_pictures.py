@@ -10,6 +10,7 @@ import traceback
 
 import FreeCAD
 import FreeCADGui
+import Part
 from PySide import QtCore, QtGui
 
 from freecad.NMGSWorkbench import gallery
@@ -57,13 +58,17 @@ def save_window(name):
     say(name)
 
 
-def close_panel():
+def press(*texts):
     for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
         for button in box.buttons() if box.isVisible() else ():
-            if button.text().replace("&", "") in ("Cancel", "Close"):
+            if button.text().replace("&", "") in texts:
                 button.click()
                 wait(400)
                 return
+
+
+def close_panel():
+    press("Cancel", "Close")
 
 
 def child(kind, name):
@@ -95,6 +100,48 @@ def examples():
         FreeCAD.closeDocument(document.Name)
 
 
+def cuts():
+    document = FreeCAD.newDocument("Cuts")
+    shape = Part.makeBox(60, 40, 10).fuse(Part.makeBox(10, 40, 50)).removeSplitter()
+    part = document.addObject("Part::Feature", "Bracket")
+    part.Shape = shape.cut(Part.makeCylinder(8, 30, FreeCAD.Vector(38, 20, -5)))
+    document.recompute()
+    look()
+    pick(part)
+    run("NMGS_CutSolids")
+    table = child(QtGui.QTableWidget, "cuts")
+    table.setCurrentCell(0, 0)
+    table.item(0, 0).setCheckState(QtCore.Qt.Checked)
+    save_window("cuts")
+    close_panel()
+    FreeCAD.closeDocument(document.Name)
+
+
+def analysis():
+    document = FreeCAD.newDocument("Analysis")
+    bar = document.addObject("Part::Box", "Bar")
+    bar.Length, bar.Width, bar.Height = 100, 20, 10
+    document.recompute()
+    look()
+    pick(bar, "Solid1")
+    run("NMGS_FitBlocks")
+    document.getObject("Blocks").Size = 4
+    run("NMGS_GenerateMesh")
+    mesh = document.getObject("StructuredMesh")
+    mesh.Order = 2
+    document.recompute()
+    pick(mesh)
+    run("NMGS_Analysis")
+    for face, button in (("Face1", "hold"), ("Face2", "load"), ("Face6", "along")):
+        pick(bar, face)
+        child(QtGui.QPushButton, button).click()
+    save_window("analysis")
+    press("OK")
+    wait(500)
+    save_window("analysis_result")
+    FreeCAD.closeDocument(document.Name)
+
+
 def panels():
     FreeCAD.newDocument("Guide")
     run("NMGS_ShapeLibrary")
@@ -116,6 +163,10 @@ def panels():
     blocks.ViewObject.Proxy.doubleClicked(blocks.ViewObject)
     save_window("fit")
     close_panel()
+    cuts()
+    analysis()
+    FreeCAD.setActiveDocument(document.Name)
+    FreeCADGui.setActiveDocument(document.Name)
     pick(blocks)
     run("NMGS_Divisions")
     child(QtGui.QTableWidget, "chains").setCurrentCell(2, 0)

@@ -9,6 +9,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 namespace {
 
 nmgs::Mesh cube(std::int32_t n, double bend) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "arrays.h"
 #include "block_model.h"
+#include "cad_cuts.h"
 #include "cad_fit.h"
 #include "cad_refit.h"
 #include "cad_tessellate.h"
@@ -12,6 +13,7 @@
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/occt_failure.h"
 #include "nmgs_cad/refine.h"
+#include "nmgs_cad/solid_groups.h"
 #include "nmgs_cad/solid_layout.h"
 #include "nmgs_cad/version.h"
 
@@ -122,6 +124,12 @@ PYBIND11_MODULE(cad, module) {
         .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
     module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"),
                py::arg("tolerance"), py::arg("method"), py::arg("progress") = py::none());
+    module.def(
+        "joined_solids",
+        [](const nmgs::cad::CadShape &shape, const std::vector<int> &solids) {
+            return nmgs::cad::joined_solids(shape, solids);
+        },
+        py::arg("shape"), py::arg("solids"), "Groups of solids (n of SolidN) that touch.");
     module.def("solid_strategies", [] {
         std::vector<std::string> names;
         for (const auto &strategy : nmgs::cad::solid_strategies()) {
@@ -133,6 +141,7 @@ PYBIND11_MODULE(cad, module) {
                py::arg("spacing"), py::arg("offsets"), py::arg("entities"), py::arg("order") = 1,
                py::arg("tolerance") = -1.0, py::arg("force") = false,
                py::arg("progress") = py::none(), py::arg("corners") = py::none());
+    bind_cuts(module);
     bind_refit(module);
     bind_tessellate(module);
     bind_tets(module);

@@ -10,32 +10,56 @@
 #include "nmgs_cad/skin.h"
 #include "nmgs_cad/solid_boundary.h"
 #include "nmgs_cad/tets_to_hexas.h"
-#include "nmgs_cad/untangle.h"
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 
 namespace nmgs::bindings {
 namespace {
 
-// limits: (N, 5) x, y, z, radius, size.
+// (N, 5) x, y, z, radius, size.
+std::vector<cad::SkinOptions::Limit> limits_of(const DoubleArray &rows) {
+    if (rows.size() % 5 != 0) {
+        throw py::value_error("limits: expected shape (N, 5), got " + shape_text(rows));
+    }
+    std::vector<cad::SkinOptions::Limit> limits;
+    for (py::ssize_t i = 0; i < rows.size(); i += 5) {
+        const double *row = rows.data() + i;
+        limits.push_back({{row[0], row[1], row[2]}, row[3], row[4]});
+    }
+    return limits;
+}
+
+std::unique_ptr<cad::SkinBuilder> skin_builder(const cad::CadShape &shape,
+                                               const std::vector<int> &faces, double size,
+                                               double angle, const py::object &progress) {
+    cad::SkinOptions options;
+    options.size = size;
+    options.angle = angle;
+    const Progress listener = progress_of(progress);
+    const py::gil_scoped_release release;
+    return std::make_unique<cad::SkinBuilder>(shape, faces, options, listener);
+}
+
 std::shared_ptr<cad::Skin> make_skin(const cad::CadShape &shape, const std::vector<int> &faces,
                                      double size, double angle, const DoubleArray &limits,
                                      const py::object &progress) {
     cad::SkinOptions options;
     options.size = size;
     options.angle = angle;
-    if (limits.size() % 5 != 0) {
-        throw py::value_error("limits: expected shape (N, 5), got " + shape_text(limits));
-    }
-    for (py::ssize_t i = 0; i < limits.size(); i += 5) {
-        const double *row = limits.data() + i;
-        options.limits.push_back({{row[0], row[1], row[2]}, row[3], row[4]});
-    }
+    options.limits = limits_of(limits);
     const Progress listener = progress_of(progress);
     const py::gil_scoped_release release;
     return std::make_shared<cad::Skin>(cad::make_skin(shape, faces, options, listener));
+}
+
+void refine_skin(cad::SkinBuilder &builder, const DoubleArray &limits, const py::object &progress) {
+    const auto rows = limits_of(limits);
+    const Progress listener = progress_of(progress);
+    const py::gil_scoped_release release;
+    builder.refine(rows, listener);
 }
 
 // solids: (n of SolidN, inner points (K, 3), tetrahedra (M, 4)) each.
@@ -74,7 +98,8 @@ py::tuple tets_to_hexas(const cad::CadShape &shape, const cad::Skin &skin, const
         limits.insert(limits.end(), {f.place.x, f.place.y, f.place.z, f.radius, f.size});
     }
     const auto rows = static_cast<py::ssize_t>(result.folded.size());
-    return py::make_tuple(result.worst, give<double>(std::move(limits), {rows, 5}));
+    return py::make_tuple(result.worst, result.inside, give<double>(std::move(limits), {rows, 5}),
+                          result.off_cad);
 }
 
 // The errors of the report from about two thousand blocks.
@@ -100,10 +125,7 @@ py::dict tet_blocks(const cad::CadShape &shape, const cad::Layout &layout,
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        // Also the points on the CAD's edges and faces find better places.
-        cad::Layout better = layout;
-        cad::improve(shape, better, {.good = 0.4}, listener);
-        blocks = cad::blocks_of(shape, better, 3);
+        blocks = cad::blocks_of(shape, layout, 3);
         for (const int solid : solids) {
             cad::FitEntry entry;
             entry.entity = {3, solid};
@@ -118,8 +140,7 @@ py::dict tet_blocks(const cad::CadShape &shape, const cad::Layout &layout,
             blocks.report.push_back(std::move(entry));
         }
         // The skin's sizes follow the curvature, so that many blocks are near enough as they are.
-        constexpr std::size_t many = 20000;
-        if (blocks.model.size() <= many) {
+        if (std::isfinite(tolerance)) {
             constexpr int rounds = 2;
             blocks =
                 cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
@@ -147,6 +168,15 @@ void bind_tets(py::module_ &module) {
         .def_property_readonly(
             "faces", [](const cad::Skin &s) { return table<std::int32_t>(s.faces).reshape({-1}); })
         .def_property_readonly("edges", [](const cad::Skin &s) { return s.edges; });
+    py::class_<cad::SkinBuilder>(module, "SkinBuilder", "Makes skins, each finer than the last.")
+        .def(py::init(&skin_builder), py::arg("shape"), py::arg("faces"), py::arg("size") = 0.0,
+             py::arg("angle") = 0.45, py::arg("progress") = py::none(), py::keep_alive<1, 2>())
+        .def("refine", &refine_skin, py::arg("limits"), py::arg("progress") = py::none(),
+             "limits: (N, 5) x, y, z, radius, and the longest edge there.")
+        .def("skin", [](const cad::SkinBuilder &builder) {
+            const py::gil_scoped_release release;
+            return std::make_shared<cad::Skin>(builder.skin());
+        });
     module.def("make_skin", &make_skin, py::arg("shape"), py::arg("faces"), py::arg("size") = 0.0,
                py::arg("angle") = 0.45, py::arg("limits") = DoubleArray(),
                py::arg("progress") = py::none(), "Coarse triangles over faces that meet at edges.");
@@ -159,10 +189,12 @@ void bind_tets(py::module_ &module) {
                "Places of the vertices inside a solid, on none of its faces.");
     module.def("tet_blocks", &tet_blocks, py::arg("shape"), py::arg("layout"), py::arg("solids"),
                py::arg("tolerance"), py::arg("progress") = py::none(),
-               "Blocks of the hexahedra in a layout, as fit() gives them.");
+               "Blocks of the hexahedra in a layout, as fit() gives them, halved where the "
+               "tolerance is finite.");
     module.def("tets_to_hexas", &tets_to_hexas, py::arg("shape"), py::arg("skin"),
                py::arg("solids"), py::arg("layout"), py::arg("progress") = py::none(),
-               "Adds four hexahedra a tetrahedron; (worst scaled Jacobian, where it folds).");
+               "Adds four hexahedra a tetrahedron; (worst scaled Jacobian, also of their inside, "
+               "where it folds, points off the CAD).");
 }
 
 } // namespace nmgs::bindings

@@ -91,13 +91,18 @@ solve(const DoubleArray &nodes, const IntArray &divisions,
 }
 
 py::array_t<std::int32_t> divide_by_default(const DoubleArray &nodes, const IntArray &divisions,
-                                            double size, const std::optional<IntArray> &corners) {
+                                            double size, const std::optional<IntArray> &corners,
+                                            const IntArray &part,
+                                            const std::vector<bool> &structured) {
     const BlockModel model = block_model_of(nodes, divisions, py::none(), corners);
+    DefaultDivisions options;
+    options.part.assign(part.data(), part.data() + part.size());
+    options.structured.assign(structured.begin(), structured.end());
     std::vector<std::int32_t> flat;
     {
         const py::gil_scoped_release release;
         validate(model);
-        for (const auto &g : default_divisions(model, find_topology(model), size)) {
+        for (const auto &g : default_divisions(model, find_topology(model), size, options)) {
             flat.insert(flat.end(), g.begin(), g.begin() + model.dimension);
         }
     }
@@ -146,7 +151,8 @@ void bind_blocking(py::module_ &module) {
                py::arg("size") = 0.0, py::arg("tolerance") = -1.0, py::arg("corners") = py::none(),
                "Divisions (NE, 2 | 3) that agree over the whole model; see divisions.h.");
     module.def("default_divisions", &divide_by_default, py::arg("nodes"), py::arg("divisions"),
-               py::arg("size"), py::arg("corners") = py::none(),
+               py::arg("size"), py::arg("corners") = py::none(), py::arg("part") = IntArray(),
+               py::arg("structured") = std::vector<bool>(),
                "Divisions (NE, 2 | 3) by curvature and size; see default_divisions.h.");
     module.def("grading_positions", &grading_positions, py::arg("kind"), py::arg("count"),
                py::arg("ratio"), py::arg("first"), py::arg("last"), py::arg("values"),

@@ -14,6 +14,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 namespace nmgs::bindings {
 namespace {
 

@@ -60,11 +60,31 @@ struct Proposer {
         cut.entities = std::move(entities);
         add(std::move(cut));
     }
+    void of_face(int face);
     void of_edge(int edge, bool flat, const std::vector<int> &faces);
     void of_round_face(int face, const std::vector<std::pair<double, gp_Dir>> &sides);
     void of_vertex(int vertex, const std::vector<int> &edges);
     void symmetry(int solid);
 };
+
+// The plane or cylinder that a face lies on.
+void Proposer::of_face(int face) {
+    const BRepAdaptor_Surface surface(cad.face(face), Standard_False);
+    const std::string name = entity_name(2, face);
+    if (surface.GetType() == GeomAbs_Plane) {
+        const gp_Pln pln = surface.Plane();
+        plane(pln.Location(), pln.Axis().Direction(), "plane of " + name, {name});
+    }
+    if (surface.GetType() == GeomAbs_Cylinder) {
+        Cut cut;
+        cut.cylinder = true;
+        cut.place = surface.Cylinder().Position();
+        cut.radius = surface.Cylinder().Radius();
+        cut.name = "cylinder of " + name;
+        cut.entities = {name};
+        add(cut);
+    }
+}
 
 void Proposer::of_edge(int edge, bool flat, const std::vector<int> &faces) {
     const BRepAdaptor_Curve curve(cad.edge(edge));
@@ -97,18 +117,8 @@ void Proposer::of_edge(int edge, bool flat, const std::vector<int> &faces) {
     for (const int f : faces) {
         const BRepAdaptor_Surface surface(cad.face(f), Standard_False);
         const std::string face = entity_name(2, f);
-        if (surface.GetType() == GeomAbs_Plane && !flat) {
-            const gp_Pln pln = surface.Plane();
-            plane(pln.Location(), pln.Axis().Direction(), "plane of " + face, {face});
-        }
-        if (surface.GetType() == GeomAbs_Cylinder && !flat) {
-            Cut cut;
-            cut.cylinder = true;
-            cut.place = surface.Cylinder().Position();
-            cut.radius = surface.Cylinder().Radius();
-            cut.name = "cylinder of " + face;
-            cut.entities = {face};
-            add(cut);
+        if (!flat) {
+            of_face(f);
         }
         if (curve.GetType() == GeomAbs_Line && t.Magnitude() > 0) {
             double first = 0;
@@ -328,6 +338,9 @@ Proposals candidates(const CadShape &cad, const std::vector<int> &solids,
     std::stable_sort(sides.begin(), sides.end(),
                      [](const auto &a, const auto &b) { return a.first > b.first * (1 + 1e-9); });
     for (std::size_t s = 0; s < solids.size(); ++s) {
+        for (const int face : obstacles[s].inner) {
+            proposer.of_face(face);
+        }
         Refusal refusal;
         const auto boundary = boundary_of(cad, solids[s], refusal);
         if (!boundary) {
@@ -423,11 +436,13 @@ Proposals candidates(const CadShape &cad, const std::vector<int> &solids,
         for (const int n : on[best]) {
             open.erase(n);
         }
-        ++result.needed;
+        result.cover.push_back(proposer.cuts[best]);
     }
-    result.needed += static_cast<int>(open.size());
+    result.all = open.empty();
+    result.needed = static_cast<int>(result.cover.size() + open.size());
     for (const Obstacles &o : obstacles) {
         result.needed += static_cast<int>(o.cusps.size());
+        result.all = result.all && o.cusps.empty();
     }
     return result;
 }

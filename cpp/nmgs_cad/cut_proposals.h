@@ -29,11 +29,13 @@ bool same(const Cut &a, const Cut &b, double tolerance);
 // faces and edges there, and by planes through the axes of round faces.
 std::vector<Cut> propose_cuts(const CadShape &shape, int solid);
 
-// The cuts that the obstacles of some solids suggest, the most promising first, and a guess how
-// many of them are needed: as many as cover the obstacles (greedy set cover), and one each for
-// those that no cut resolves.
+// The cuts that the obstacles of some solids suggest, the most promising first; those that together
+// resolve as many obstacles as cuts can (greedy set cover), and whether these are all; and a guess
+// how many cuts are needed: those, and one each for the obstacles that no cut resolves.
 struct Proposals {
     std::vector<Cut> cuts;
+    std::vector<Cut> cover;
+    bool all = false;
     int needed = 0;
 };
 

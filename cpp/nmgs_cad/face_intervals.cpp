@@ -254,6 +254,16 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
     for (const auto &[e, n] : work.count) {
         work.most[e] = growth * n + 16;
     }
+    // Two sides of one segment each are no face.
+    for (FacePlan &plan : plans) {
+        if (plan.corners.size() == 2 && plan.loops.loops.front().size() == 2) {
+            for (const EdgeUse &use : plan.loops.loops.front()) {
+                if (work.fixed.at(use.edge) && work.count.at(use.edge) == 1) {
+                    plan.give_up();
+                }
+            }
+        }
+    }
     for (int round = 0; round < 30; ++round) {
         bool changed = false;
         // Equal sides of single edges share a number.
@@ -319,6 +329,20 @@ std::map<int, int> assign_intervals(const CadShape &shape, std::vector<FacePlan>
         for (const FaceLoop &loop : plan.loops.loops) {
             for (const EdgeUse &use : loop) {
                 ++faces_at[use.edge];
+            }
+        }
+    }
+    // A loop of two edges, one of which came with one segment, is no polygon yet.
+    for (const FacePlan &plan : plans) {
+        for (const FaceLoop &loop : plan.loops.loops) {
+            int sum = 0;
+            int free = 0;
+            for (const EdgeUse &use : loop) {
+                sum += use.degenerated ? 1 : work.segments(use.edge);
+                free = use.degenerated || work.fixed.at(work.root(use.edge)) ? free : use.edge;
+            }
+            if (plan.general() && loop.size() == 2 && sum < 3 && free != 0) {
+                work.count.at(work.root(free)) += 4 - sum;
             }
         }
     }

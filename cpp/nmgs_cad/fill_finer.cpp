@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/fill_finer.h"
 
+#include "nmgs/support/at.h"
 #include "nmgs_cad/entity_locator.h"
 #include "nmgs_cad/layout_quality.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <span>
 
 namespace nmgs::cad {
 
@@ -21,7 +24,10 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     constexpr std::size_t enough = 3000; // hexahedra: no finer than this
     std::optional<Layout> best;
     double quality = -2;
-    for (const Step &step : steps) {
+    Refusal last;
+    // What neighbours have laid out may ask for a finer layout than the first.
+    const auto most = std::min<std::size_t>(std::size(steps), at(std::max(options.attempts, 1)));
+    for (const Step &step : std::span(steps).first(most)) {
         poll(progress, 0.0);
         LayoutOptions finer = options;
         finer.angle *= step.angle;
@@ -30,11 +36,9 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
             finer.size = options.size > 0 ? std::min(options.size, size) : size;
         }
         Layout trial = layout;
-        Refusal why;
-        if (!fill(trial, finer, why)) {
-            if (!best) {
-                refusal = why;
-                return false;
+        if (!fill(trial, finer, last)) {
+            if (!best && &step != &steps[0]) {
+                break;
             }
             continue;
         }
@@ -47,6 +51,10 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
         if (quality >= good || count > enough) {
             break;
         }
+    }
+    if (!best) {
+        refusal = last;
+        return false;
     }
     if (quality <= 0) {
         refusal = {"its blocks would be folded", {entity_name(3, solid)}};

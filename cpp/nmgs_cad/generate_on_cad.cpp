@@ -72,6 +72,8 @@ struct Builder {
 };
 
 constexpr double bad = 0.2; // a scaled Jacobian that calls for better nodes
+// The same where each block is one element: strategies have improved their layouts.
+constexpr double bad_layout = 0.02;
 
 // Mid-side nodes of a quadratic cell with the ends of their edges.
 std::span<const std::array<std::size_t, 3>> mid_sides(int dimension) {
@@ -339,7 +341,12 @@ void Builder::improve(const CadShape &shape, const Progress &progress) {
     }
     const std::span<Vec3> points(mesh.points.data(), mesh.points.size());
     const std::span<const std::int32_t> none;
-    if (!has_bad_cells(points, solid ? nodes : none, solid ? none : nodes, face_of, bad) &&
+    const bool undivided =
+        std::all_of(model.divisions.begin(), model.divisions.end(), [](const auto &g) {
+            return std::max({g[0], g[1], g[2]}) == 1;
+        });
+    const double poor = solid && undivided ? bad_layout : bad;
+    if (!has_bad_cells(points, solid ? nodes : none, solid ? none : nodes, face_of, poor) &&
         scale == 1) {
         return;
     }
@@ -348,7 +355,7 @@ void Builder::improve(const CadShape &shape, const Progress &progress) {
     UntangleOptions options;
     options.good = 0.5;
     const auto moved = improve_mesh(shape, points, on, solid ? nodes : none, solid ? none : nodes,
-                                    face_of, bad, options, progress);
+                                    face_of, poor, options, progress);
     const bool released = solid && release(shape, on, nodes, progress);
     if (scale == 2) {
         if (!moved.empty() || released) {

@@ -11,6 +11,7 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace nmgs::cad {
@@ -136,6 +137,18 @@ bool Binder::place_points() {
             on_face[layout.on[p].index].push_back(static_cast<std::int32_t>(p));
         }
     }
+    // Length of the shortest edge at each point.
+    std::vector<double> reach(mesh.points.size(), std::numeric_limits<double>::infinity());
+    for (const auto &q : boundary) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t a = at(q[i]);
+            const std::size_t b = at(q[(i + 1) % 4]);
+            const double length = distance(mesh.points[a], mesh.points[b]);
+            reach[a] = std::min(reach[a], length);
+            reach[b] = std::min(reach[b], length);
+        }
+    }
+    std::set<std::int32_t> taken;
     std::set<std::int32_t> vertices;
     for (std::size_t p = 0; p < mesh.points.size(); ++p) {
         const Vec3 place = mesh.points[p];
@@ -165,12 +178,16 @@ bool Binder::place_points() {
             number[p] = layout.add_point(place, on[p]);
             continue;
         }
+        // The nearest one; whether they are joined in the same way is seen later.
+        double nearest = std::max(3 * tolerance, 0.4 * reach[p]);
         for (const auto n : *there) {
-            if (distance(layout.points[at(n)], place) <= 3 * tolerance) {
+            const double away = distance(layout.points[at(n)], place);
+            if (away <= nearest && layout.on[at(n)].dimension == dimension) {
                 number[p] = n;
+                nearest = away;
             }
         }
-        if (number[p] < 0) {
+        if (number[p] < 0 || !taken.insert(number[p]).second) {
             return refuse("it is laid out already, with points elsewhere", dimension, index);
         }
     }

@@ -14,6 +14,10 @@ namespace nmgs::cad {
 struct LayoutOptions {
     double size = 0; // longest segment of an edge; 0: as long as the shape allows
     double angle = std::numbers::pi / 2; // largest turn of an edge along one segment, in radians
+    int attempts = 5; // how often a strategy may lay its sections out, finer from time to time
+    // What searches over cuts may still do: the faces of all the pieces that they look at, which
+    // they take from it. None: as much as one search ever needs.
+    int *cut_work = nullptr;
 };
 
 // A way to fill a solid with hexahedra. True: they were added to the layout. False: the layout is

@@ -19,10 +19,38 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int values = 6;
 using Values = std::array<double, values>;
 
-std::array<int, 3> components(int direction) {
+constexpr std::array<int, 3> components(int direction) {
     std::array<int, 3> v{0, 0, 0};
     v[static_cast<std::size_t>(axis_of(direction))] = sign_of(direction);
     return v;
+}
+
+constexpr int turns_between(int axis, int from, int to) {
+    if (axis_of(axis) == axis_of(from) || axis_of(axis) == axis_of(to)) {
+        return -1;
+    }
+    if (from == to) {
+        return 0;
+    }
+    if (axis_of(from) == axis_of(to)) {
+        return 2;
+    }
+    const auto a = components(axis);
+    const auto f = components(from);
+    const auto t = components(to);
+    const int left = a[0] * (f[1] * t[2] - f[2] * t[1]) + a[1] * (f[2] * t[0] - f[0] * t[2]) +
+                     a[2] * (f[0] * t[1] - f[1] * t[0]);
+    return left > 0 ? 1 : 3;
+}
+
+// Of all axes and directions: the search asks for little else.
+constexpr std::array<std::int8_t, values * values * values> all_quarter_turns() {
+    std::array<std::int8_t, values * values * values> table{};
+    for (int n = 0; n < values * values * values; ++n) {
+        table[static_cast<std::size_t>(n)] = static_cast<std::int8_t>(
+            turns_between(n / (values * values), n / values % values, n % values));
+    }
+    return table;
 }
 
 // An angle taken for `count` right angles: nothing for the right one, more for a worse one, and
@@ -307,21 +335,8 @@ void relate_loops(const CadShape &shape, const SolidBoundary &boundary, std::siz
 } // namespace
 
 int quarter_turns(int axis, int from, int to) {
-    if (axis_of(axis) == axis_of(from) || axis_of(axis) == axis_of(to)) {
-        return -1;
-    }
-    if (from == to) {
-        return 0;
-    }
-    if (axis_of(from) == axis_of(to)) {
-        return 2;
-    }
-    const auto a = components(axis);
-    const auto f = components(from);
-    const auto t = components(to);
-    const int left = a[0] * (f[1] * t[2] - f[2] * t[1]) + a[1] * (f[2] * t[0] - f[0] * t[2]) +
-                     a[2] * (f[0] * t[1] - f[1] * t[0]);
-    return left > 0 ? 1 : 3;
+    static constexpr auto table = all_quarter_turns();
+    return table[static_cast<std::size_t>((axis * values + from) * values + to)];
 }
 
 std::vector<LogicalDirections> logical_directions(const CadShape &shape,

@@ -3,6 +3,7 @@
 
 #include "nmgs/support/ascending.h"
 #include "nmgs_cad/face_projection.h"
+#include "nmgs_cad/midpoint_star.h"
 
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
@@ -20,21 +21,10 @@
 namespace nmgs::cad {
 namespace {
 
-// One side of a face: the vertex at its start and the edge from there.
-struct Side {
-    int vertex, edge;
-};
-
-struct FaceLoop {
-    int face;
-    bool reversed; // against the face as the shape has it
-    std::vector<Side> sides;
-};
-
-std::optional<FaceLoop> loop_of(const CadShape &shape, const TopoDS_Face &face, Refusal &refusal) {
+std::optional<FaceSides> loop_of(const CadShape &shape, const TopoDS_Face &face, Refusal &refusal) {
     const int n = shape.faces.FindIndex(face);
     const std::string name = entity_name(2, n);
-    FaceLoop loop{n, face.Orientation() != shape.face(n).Orientation(), {}};
+    FaceSides loop{n, face.Orientation() != shape.face(n).Orientation(), {}};
     int wires = 0;
     for (TopoDS_Iterator it(face); it.More(); it.Next()) {
         if (it.Value().ShapeType() != TopAbs_WIRE || ++wires > 1) {
@@ -74,7 +64,7 @@ Vec3 mean(const Layout &layout, const std::vector<std::int32_t> &points) {
 
 // The point in the middle of a face: new, or the one that all quads of an earlier subdivision
 // share.
-std::optional<std::int32_t> centre_of(const CadShape &shape, const FaceLoop &loop, Layout &layout,
+std::optional<std::int32_t> centre_of(const CadShape &shape, const FaceSides &loop, Layout &layout,
                                       const std::map<int, std::int32_t> &middle) {
     const auto quads = layout.quads_of(loop.face);
     if (!quads.empty()) {
@@ -94,7 +84,7 @@ std::optional<std::int32_t> centre_of(const CadShape &shape, const FaceLoop &loo
         return std::nullopt;
     }
     std::vector<std::int32_t> around;
-    for (const Side &side : loop.sides) {
+    for (const FaceSide &side : loop.sides) {
         around.push_back(middle.at(side.edge));
     }
     FaceProjection projection(shape.face(loop.face));
@@ -117,7 +107,7 @@ std::optional<std::int32_t> centre_of(const CadShape &shape, const FaceLoop &loo
 
 bool fill_midpoint(const CadShape &shape, int solid, Layout &layout, const LayoutOptions & /*o*/,
                    Refusal &refusal, const Progress & /*progress*/) {
-    std::vector<FaceLoop> loops;
+    std::vector<FaceSides> loops;
     // Edges at a vertex, and the face that has two edges of it.
     std::map<int, std::set<int>> edges_at;
     std::map<std::array<int, 2>, std::size_t> face_with;
@@ -147,12 +137,18 @@ bool fill_midpoint(const CadShape &shape, int solid, Layout &layout, const Layou
             refusal = {std::to_string(edges.size()) + " edges meet at " + entity_name(0, vertex) +
                            "; three are needed",
                        {entity_name(0, vertex)}};
+            Layout trial = layout;
+            Refusal no_star;
+            if (edges.size() > 3 && fill_star(shape, solid, loops, trial, no_star)) {
+                layout = std::move(trial);
+                return true;
+            }
             return false;
         }
     }
     std::map<int, std::int32_t> middle;
-    for (const FaceLoop &loop : loops) {
-        for (const Side &side : loop.sides) {
+    for (const FaceSides &loop : loops) {
+        for (const FaceSide &side : loop.sides) {
             constexpr double half = 0.5;
             const auto &points = layout.divide_edge(shape, side.edge, {&half, 1});
             if (points.size() != 3) {
@@ -164,7 +160,7 @@ bool fill_midpoint(const CadShape &shape, int solid, Layout &layout, const Layou
         }
     }
     std::vector<std::int32_t> centre;
-    for (const FaceLoop &loop : loops) {
+    for (const FaceSides &loop : loops) {
         const auto c = centre_of(shape, loop, layout, middle);
         if (!c) {
             refusal = {entity_name(2, loop.face) + " is laid out in another way already",

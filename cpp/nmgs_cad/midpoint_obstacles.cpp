@@ -87,6 +87,16 @@ Obstacles obstacles_of(const CadShape &cad, int solid) {
     const auto boundary = boundary_of(cad, solid, refusal);
     if (!boundary) {
         result.weight = 10;
+        for (const auto &[face, bounds] : solid_faces(cad, solid)) {
+            if (!bounds) {
+                result.inner.insert(face);
+            }
+        }
+        for (const int face : result.inner) {
+            for (TopExp_Explorer it(cad.face(face), TopAbs_EDGE); it.More(); it.Next()) {
+                result.edges.insert(cad.edges.FindIndex(it.Current()));
+            }
+        }
         return result;
     }
     std::map<int, std::set<int>> edges_at;

@@ -20,6 +20,7 @@ struct Obstacles {
     std::set<int> cusps;    // where the solid runs out to nothing, or leaves nothing: no cut helps
     std::set<int> vertices; // where other than three edges meet
     std::set<int> round;    // faces with a seam or more than one loop
+    std::set<int> inner;    // faces inside the solid
 };
 
 Obstacles obstacles_of(const CadShape &cad, int solid);

@@ -7,8 +7,10 @@
 #include "nmgs_cad/face_normals.h"
 
 #include <BOPTools_AlgoTools3D.hxx>
+#include <IntCurvesFace_Intersector.hxx>
 #include <IntTools_Context.hxx>
 #include <TopExp_Explorer.hxx>
+#include <gp_Lin.hxx>
 
 #include <algorithm>
 #include <set>
@@ -44,9 +46,36 @@ struct Taker {
             return norm(cross(layout.points[at(p)] - first, direction)) < tolerance;
         });
     }
+    [[nodiscard]] double away(const EdgeCurve &over, Vec3 here) const;
     void edge(const CadShape &shape, int n);
     void quads(int cap, int face);
 };
+
+// How far a place of the section is from below an edge.
+double Taker::away(const EdgeCurve &over, Vec3 here) const {
+    const auto apart = [&](double f) { return distance(down(over.at(f)), here); };
+    constexpr int samples = 32;
+    double best = 0;
+    double least = apart(0);
+    for (int i = 1; i <= samples; ++i) {
+        const double d = apart(static_cast<double>(i) / samples);
+        if (d < least) {
+            least = d;
+            best = static_cast<double>(i) / samples;
+        }
+    }
+    double low = std::max(0.0, best - 1.0 / samples);
+    double high = std::min(1.0, best + 1.0 / samples);
+    for (int i = 0; i < 40 && least > tolerance; ++i) {
+        const double a = low + (high - low) / 3;
+        const double b = high - (high - low) / 3;
+        const double at_a = apart(a);
+        const double at_b = apart(b);
+        (at_a < at_b ? high : low) = at_a < at_b ? b : a;
+        least = std::min({least, at_a, at_b});
+    }
+    return least;
+}
 
 void Taker::edge(const CadShape &shape, int n) {
     const auto &points = layout.edges[at(n)];
@@ -54,8 +83,16 @@ void Taker::edge(const CadShape &shape, int n) {
     if (!closed && along(points)) {
         return;
     }
-    EdgeCurve over(shape.edge(n));
+    const EdgeCurve over(shape.edge(n));
     const double level = dot(layout.points[at(points.front())], direction);
+    bool across = true;
+    Box box;
+    for (int i = 0; i <= 16; ++i) {
+        const Vec3 p = over.at(i / 16.0);
+        across = across && std::abs(dot(p, direction) - level) < 2 * tolerance;
+        box.add(down(p));
+    }
+    const double margin = 0.1 * over.length();
     for (int e = 1; e <= section.cad.edges.Extent(); ++e) {
         if (!flat.edges[at(e)].empty()) {
             continue;
@@ -63,6 +100,12 @@ void Taker::edge(const CadShape &shape, int n) {
         EdgeCurve curve(section.cad.edge(e));
         const auto on_other = [&](double f) {
             const Vec3 here = curve.at(f);
+            if (!across) {
+                return here.x > box.low.x - margin && here.x < box.high.x + margin &&
+                       here.y > box.low.y - margin && here.y < box.high.y + margin &&
+                       here.z > box.low.z - margin && here.z < box.high.z + margin &&
+                       away(over, here) < tolerance;
+            }
             const Vec3 p = here + (level - section.base) * direction;
             return distance(over.at(over.fraction(p)), p) < tolerance;
         };
@@ -178,20 +221,20 @@ void take_over(const CadShape &shape, int solid, const Section &section, const L
             continue;
         }
         const auto normals = sample_normals(shape.face(cap));
-        const bool across = std::all_of(normals.begin(), normals.end(), [&](const auto &n) {
-            return norm(cross(n.normal, taker.direction)) < 1e-4;
+        const bool wall = std::all_of(normals.begin(), normals.end(), [&](const auto &n) {
+            return std::abs(dot(n.normal, taker.direction)) < 1e-4;
         });
-        if (!across || normals.empty()) {
+        if (wall) {
             continue;
         }
-        const double level = dot(normals.front().point, taker.direction);
+        IntCurvesFace_Intersector over(shape.face(cap), tolerance);
         std::vector<int> below;
         for (int f = 1; f <= section.cad.faces.Extent(); ++f) {
             gp_Pnt p;
             gp_Pnt2d uv;
             if (BOPTools_AlgoTools3D::PointInFace(section.cad.face(f), p, uv, context) == 0 &&
-                locator.on_face(
-                    Vec3{p.X(), p.Y(), p.Z()} + (level - section.base) * taker.direction, cap)) {
+                (over.Perform(gp_Lin(p, section.motion.axis.Direction()), -1e100, 1e100),
+                 over.IsDone() && over.NbPnt() > 0)) {
                 below.push_back(f);
             }
         }

@@ -135,6 +135,7 @@ struct Slicer {
     TopoDS_Shape arrange(double base) const;
     bool columns(const TopoDS_Shape &arrangement, Section &section, Refusal &refusal);
     bool order(Refusal &refusal);
+    void add_levels(const Layout &layout);
 };
 
 bool Slicer::classify(Refusal &refusal) {
@@ -419,10 +420,108 @@ bool Slicer::order(Refusal &refusal) {
     return true;
 }
 
+// Levels of vertices on walls, and of the points of edges along the sweep that neighbours have laid
+// out: at their share of the way from the cap below to the cap above.
+void Slicer::add_levels(const Layout &layout) {
+    const Vec3 d = slopes->direction;
+    std::map<int, std::size_t> level_of; // of vertices on caps
+    for (std::size_t c = 0; c < slopes->caps.size(); ++c) {
+        for (TopExp_Explorer it(shape.face(slopes->caps[c].face), TopAbs_VERTEX); it.More();
+             it.Next()) {
+            level_of.emplace(shape.vertices.FindIndex(it.Current()), slopes->level(c));
+        }
+    }
+    std::map<int, int> upper; // of an edge along the sweep at its lower vertex
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(shape.solid(solid), TopAbs_EDGE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+        const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+        if (BRep_Tool::Degenerated(edge)) {
+            continue;
+        }
+        const BRepAdaptor_Curve curve(edge);
+        const Vec3 a = vec(curve.Value(curve.FirstParameter()).XYZ());
+        const Vec3 b = vec(curve.Value(curve.LastParameter()).XYZ());
+        if (curve.GetType() == GeomAbs_Line && norm(cross(b - a, d)) < slopes->tolerance) {
+            const TopoDS_Vertex low = TopExp::FirstVertex(edge);
+            const TopoDS_Vertex high = TopExp::LastVertex(edge);
+            const bool up = dot(b - a, d) > 0;
+            upper[shape.vertices.FindIndex(up ? low : high)] = shape.edges.FindIndex(edge);
+        }
+    }
+    std::vector<double> found;
+    std::set<std::size_t> passed; // levels of caps that such edges pass by
+    for (const auto &[vertex, low] : level_of) {
+        // Up from this cap to the next.
+        std::vector<double> places;
+        int here = vertex;
+        const double from = dot(shape.point(vertex), d);
+        while (upper.contains(here)) {
+            const int e = upper.at(here);
+            const TopoDS_Edge edge = shape.edge(e);
+            const int first = shape.vertices.FindIndex(TopExp::FirstVertex(edge));
+            const int last = shape.vertices.FindIndex(TopExp::LastVertex(edge));
+            const auto &points = layout.edges[static_cast<std::size_t>(e)];
+            for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+                places.push_back(dot(layout.points[static_cast<std::size_t>(points[i])], d));
+            }
+            here = first == here ? last : first;
+            const double to = dot(shape.point(here), d);
+            const auto high = level_of.find(here);
+            if (high == level_of.end()) {
+                places.push_back(to);
+                continue;
+            }
+            const double bottom = slopes->nominal[low];
+            const double top = slopes->nominal[high->second];
+            for (const double t : places) {
+                found.push_back(bottom + (t - from) / (to - from) * (top - bottom));
+            }
+            for (std::size_t k = low + 1; !places.empty() && k < high->second; ++k) {
+                passed.insert(k);
+            }
+            break;
+        }
+    }
+    if (found.empty()) {
+        return;
+    }
+    // Those of nearly the same share are one.
+    std::sort(found.begin(), found.end());
+    const double near = 0.02 * (slopes->nominal.back() - slopes->nominal.front());
+    // Beside the caps of such a level its height is free: it goes with a neighbour's.
+    std::vector<double> &nominal = slopes->nominal;
+    for (const std::size_t k : passed) {
+        double best = nominal[k];
+        double least = std::numeric_limits<double>::infinity();
+        for (const double t : found) {
+            if (t > nominal[k - 1] + near && t < nominal[k + 1] - near &&
+                std::abs(t - nominal[k]) < least) {
+                least = std::abs(t - nominal[k]);
+                best = t;
+            }
+        }
+        nominal[k] = best;
+    }
+    std::vector<double> all = nominal;
+    for (const double t : found) {
+        if (std::none_of(all.begin(), all.end(),
+                         [&](double k) { return std::abs(k - t) < near; })) {
+            all.push_back(t);
+        }
+    }
+    std::sort(all.begin(), all.end());
+    for (std::size_t &level : slopes->level_of_sheet) {
+        const auto now = std::lower_bound(all.begin(), all.end(), slopes->nominal[level]);
+        level = static_cast<std::size_t>(now - all.begin());
+    }
+    slopes->nominal = std::move(all);
+}
+
 } // namespace
 
-bool section_over(const CadShape &shape, int solid, const gp_Dir &direction, Section &section,
-                  Refusal &refusal) {
+bool section_over(const CadShape &shape, int solid, const gp_Dir &direction, const Layout &layout,
+                  Section &section, Refusal &refusal) {
     Slicer slicer{shape, solid, std::make_shared<Slopes>(), {}};
     Slopes &slopes = *slicer.slopes;
     slopes.direction = vec(direction.XYZ());
@@ -448,6 +547,7 @@ bool section_over(const CadShape &shape, int solid, const gp_Dir &direction, Sec
     if (!slicer.columns(arrangement, section, refusal) || !slicer.order(refusal)) {
         return false;
     }
+    slicer.add_levels(layout);
     section.levels = slopes.nominal;
     section.filled.assign(slopes.columns.size(), {});
     for (std::size_t f = 1; f < slopes.columns.size(); ++f) {

@@ -9,7 +9,7 @@ namespace nmgs::cad {
 
 // As section_along(), but a cap may be any face of which each line along the direction meets a part
 // once. Caps that meet in edges make one level, which follows them.
-bool section_over(const CadShape &shape, int solid, const gp_Dir &direction, Section &section,
-                  Refusal &refusal);
+bool section_over(const CadShape &shape, int solid, const gp_Dir &direction, const Layout &layout,
+                  Section &section, Refusal &refusal);
 
 } // namespace nmgs::cad

@@ -7,6 +7,8 @@
 #include "nmgs_cad/skin_mesh.h"
 #include "nmgs_cad/skin_start.h"
 
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 
 #include <algorithm>
@@ -91,10 +93,17 @@ std::vector<double> near_bounds(SkinMesh &mesh) {
                 }
             });
             if (other != 0) {
-                // Flat walls may be far thinner than their triangles are long.
+                // Flat walls may be far thinner than their triangles are long, curved ones as long
+                // as the chords stay inside.
                 const bool flat = mesh.face(triangle.face).planar() && mesh.face(other).planar();
                 const double least = mesh.diagonal / (flat ? 30 : 150);
-                const double bound = std::max(least, (flat ? 5 : 3) * nearest);
+                double curvature = 0;
+                for (const std::int32_t p : triangle.p) {
+                    const SurfaceFrame frame = mesh.corner(triangle.face, p).frame;
+                    curvature = std::max(curvature, frame.regular ? std::abs(frame.major) : 0.0);
+                }
+                const double inside = std::sqrt(2 * nearest / std::max(curvature, 1e-9 / least));
+                const double bound = std::max({least, 3 * nearest, std::min(5 * nearest, inside)});
                 for (const std::int32_t p : triangle.p) {
                     bounds[at(p)] = std::min(bounds[at(p)], bound);
                 }
@@ -198,55 +207,174 @@ Skin output(SkinMesh &mesh, const CadShape &shape) {
 
 } // namespace
 
-Skin make_skin(const CadShape &shape, std::span<const int> faces, const SkinOptions &options,
-               const Progress &progress) {
-    SkinMesh mesh(shape, options);
-    start_skin(shape, faces, options, mesh, progress);
+namespace {
+
+double area_of(const TopoDS_Face &face) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties);
+    return std::abs(properties.Mass());
+}
+
+} // namespace
+
+SkinBuilder::~SkinBuilder() = default;
+
+SkinBuilder::SkinBuilder(const CadShape &shape, std::span<const int> faces, SkinOptions options,
+                         const Progress &progress)
+    : shape_(shape), faces_(faces.begin(), faces.end()), options_(std::move(options)),
+      mesh_(std::make_unique<SkinMesh>(shape, options_)) {
+    start_skin(shape, faces, options_, *mesh_, progress);
     poll(progress, 0.2);
-    std::vector<double> bounds;
-    constexpr int passes = 5;
-    for (int k = 0; k < passes; ++k) {
-        mesh.find_sizes(bounds);
-        if (options.proximity && k < 2) {
-            bounds = near_bounds(mesh);
-            mesh.find_sizes(bounds);
+    for (int k = 0; k < 2; ++k) {
+        mesh_->find_sizes(bounds_);
+        if (options_.proximity) {
+            bounds_ = near_bounds(*mesh_);
         }
-        mesh.pass(progress, 0.2 + 0.1 * k, 0.3 + 0.1 * k);
-        bounds.resize(mesh.points.size(), std::numeric_limits<double>::infinity());
+        passes(1, progress, 0.2 + 0.1 * k, 0.3 + 0.1 * k);
     }
-    mesh.part_twins();
-    mesh.cut_ears();
-    mesh.smooth();
-    mesh.smooth();
-    SkinOptions finer = options;
+    passes(2, progress, 0.4, 0.6);
+    for (int round = 0; round < 3 && find_turns(); ++round) {
+        passes(1, progress, 0.6, 0.7);
+    }
+    finish(progress);
+}
+
+// Splits, collapses, flips and smooths.
+void SkinBuilder::passes(int count, const Progress &progress, double from, double to) {
+    for (int k = 0; k < count; ++k) {
+        mesh_->find_sizes(bounds_);
+        mesh_->pass(progress, from + k * (to - from) / count, from + (k + 1) * (to - from) / count);
+        bounds_.resize(mesh_->points.size(), std::numeric_limits<double>::infinity());
+    }
+}
+
+// Makes the turn smaller that is allowed along the edges of faces, and of solids, whose area or
+// volume the triangles miss. Whether there are any.
+bool SkinBuilder::find_turns() {
+    constexpr double most_area = 0.08;
+    constexpr double most_volume = 0.035;
+    constexpr std::ptrdiff_t many = 60'000;
+    const auto alive = std::count_if(mesh_->triangles.begin(), mesh_->triangles.end(),
+                                     [](const auto &t) { return t.face != 0; });
+    if (alive > many) {
+        return false;
+    }
+    // The error falls with the square of the turn.
+    const auto factor = [](double error, double most) {
+        const double wanted = 0.7 * most;
+        return std::abs(error) > most ? std::clamp(std::sqrt(wanted / std::abs(error)), 0.3, 0.9)
+                                      : 1.0;
+    };
+    std::vector<double> area(at(shape_.faces.Extent()) + 1, 0);
+    std::vector<double> moment(area.size(), 0); // six times the volume that the face spans
+    for (const auto &t : mesh_->triangles) {
+        if (t.face != 0) {
+            const auto c = corners(*mesh_, t);
+            area[at(t.face)] += 0.5 * norm(cross(c[1] - c[0], c[2] - c[0]));
+            moment[at(t.face)] += determinant(c[0], c[1], c[2]);
+        }
+    }
+    areas_.resize(area.size(), 0);
+    std::vector<double> turn(area.size(), 1);
+    for (const int n : faces_) {
+        if (areas_[at(n)] == 0) {
+            areas_[at(n)] = area_of(shape_.face(n));
+        }
+        if (areas_[at(n)] > 0) {
+            turn[at(n)] = factor(area[at(n)] / areas_[at(n)] - 1, most_area);
+        }
+    }
+    volumes_.resize(at(shape_.solids.Extent()) + 1, 0);
+    for (int s = 1; s <= shape_.solids.Extent(); ++s) {
+        double sum = 0;
+        bool whole = true;
+        std::vector<int> own;
+        for (TopExp_Explorer f(shape_.solid(s), TopAbs_FACE); f.More(); f.Next()) {
+            const int n = shape_.faces.FindIndex(f.Current());
+            const bool turned = f.Current().Orientation() != shape_.face(n).Orientation();
+            whole = whole && std::find(faces_.begin(), faces_.end(), n) != faces_.end();
+            own.push_back(n);
+            sum += (turned ? -1 : 1) * moment[at(n)] / 6;
+        }
+        if (!whole) {
+            continue;
+        }
+        if (volumes_[at(s)] == 0) {
+            volumes_[at(s)] = std::abs(volume_of(shape_.solid(s)));
+        }
+        if (volumes_[at(s)] > 0) {
+            for (const int n : own) {
+                if (!mesh_->face(n).planar()) {
+                    turn[at(n)] = std::min(
+                        turn[at(n)], factor(std::abs(sum) / volumes_[at(s)] - 1, most_volume));
+                }
+            }
+        }
+    }
+    bool any = false;
+    std::vector<double> of_edge(at(shape_.edges.Extent()) + 1, 1);
+    for (const int n : faces_) {
+        if (turn[at(n)] == 1) {
+            continue;
+        }
+        any = true;
+        mesh_->face_turn[at(n)] *= turn[at(n)];
+        for (TopExp_Explorer e(shape_.face(n), TopAbs_EDGE); e.More(); e.Next()) {
+            double &own = of_edge[at(shape_.edges.FindIndex(e.Current()))];
+            own = std::min(own, turn[at(n)]);
+        }
+    }
+    for (std::size_t e = 0; e < of_edge.size(); ++e) {
+        mesh_->edge_turn[e] *= of_edge[e];
+    }
+    return any;
+}
+
+void SkinBuilder::finish(const Progress &progress) {
+    mesh_->drop_flat();
+    mesh_->part_twins();
+    mesh_->cut_ears();
+    mesh_->smooth();
+    mesh_->smooth();
     for (int round = 0; round < 5; ++round) {
-        const auto crossed = crossing(shape, mesh, progress);
+        const auto crossed = crossing(shape_, *mesh_, progress);
         if (crossed.empty()) {
             break;
         }
-        bounds.assign(mesh.points.size(), std::numeric_limits<double>::infinity());
+        bounds_.resize(mesh_->points.size(), std::numeric_limits<double>::infinity());
         for (const std::size_t t : crossed) {
-            const auto &p = mesh.triangles[t].p;
+            const auto &p = mesh_->triangles[t].p;
             double longest = 0;
             for (std::size_t i = 0; i < 3; ++i) {
-                longest = std::max(
-                    longest, distance(mesh.points[at(p[i])].p, mesh.points[at(p[(i + 1) % 3])].p));
+                longest = std::max(longest, distance(mesh_->points[at(p[i])].p,
+                                                     mesh_->points[at(p[(i + 1) % 3])].p));
             }
             for (const std::int32_t n : p) {
-                bounds[at(n)] = std::min(bounds[at(n)], 0.5 * longest);
+                bounds_[at(n)] = std::min(bounds_[at(n)], 0.5 * longest);
             }
         }
-        for (int k = 0; k < 2; ++k) {
-            mesh.find_sizes(bounds);
-            mesh.pass(progress, 0.7 + 0.05 * round, 0.75 + 0.05 * round);
-            bounds.resize(mesh.points.size(), std::numeric_limits<double>::infinity());
-        }
-        mesh.part_twins();
-        mesh.cut_ears();
-        mesh.smooth();
+        passes(2, progress, 0.7 + 0.05 * round, 0.75 + 0.05 * round);
+        mesh_->drop_flat();
+        mesh_->part_twins();
+        mesh_->cut_ears();
+        mesh_->smooth();
     }
     poll(progress, 1);
-    return output(mesh, shape);
+}
+
+Skin SkinBuilder::skin() const {
+    return output(*mesh_, shape_);
+}
+
+void SkinBuilder::refine(std::span<const SkinOptions::Limit> limits, const Progress &progress) {
+    options_.limits.insert(options_.limits.end(), limits.begin(), limits.end());
+    passes(2, progress, 0, 0.7);
+    finish(progress);
+}
+
+Skin make_skin(const CadShape &shape, std::span<const int> faces, const SkinOptions &options,
+               const Progress &progress) {
+    return SkinBuilder(shape, faces, options, progress).skin();
 }
 
 } // namespace nmgs::cad

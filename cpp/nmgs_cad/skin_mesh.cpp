@@ -49,6 +49,7 @@ EdgeGeometry::EdgeGeometry(const TopoDS_Edge &edge)
 
 SkinMesh::SkinMesh(const CadShape &shape, const SkinOptions &options)
     : bound(at(shape.edges.Extent()) + 1, 0), inner(at(shape.edges.Extent()) + 1, 0),
+      face_turn(at(shape.faces.Extent()) + 1, 1), edge_turn(at(shape.edges.Extent()) + 1, 1),
       diagonal(shape.diagonal()), shape_(shape), options_(options),
       faces_(at(shape.faces.Extent()) + 1), edges_(at(shape.edges.Extent()) + 1),
       face_scale_(at(shape.faces.Extent()) + 1, diagonal),
@@ -216,7 +217,7 @@ Vec3 SkinMesh::tangent(std::int32_t edge, double t) const {
     return l > 0 ? (1 / l) * vec(d.XYZ()) : Vec3{0, 0, 0};
 }
 
-double SkinMesh::edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge) {
+double SkinMesh::turn_along(std::int32_t a, std::int32_t b, std::int32_t edge) {
     const EdgeGeometry &geometry = this->edge(edge);
     if (geometry.curve.GetType() == GeomAbs_Line) {
         return 0;
@@ -243,7 +244,7 @@ double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face, doubl
     double share = 1; // what is curved both ways loses twice the volume
     const std::int32_t edge = segment(a, b);
     if (edge != 0) {
-        turn = edge_turn(a, b, edge);
+        turn = turn_along(a, b, edge);
     } else if (!this->face(face).planar()) {
         const SurfaceFrame fa = corner(face, a).frame;
         const SurfaceFrame fb = corner(face, b).frame;
@@ -259,6 +260,7 @@ double SkinMesh::length(std::int32_t a, std::int32_t b, std::int32_t face, doubl
         }
     }
     const double scale = edge != 0 ? edge_scale_[at(edge)] : face_scale_[at(face)];
+    share *= edge != 0 ? edge_turn[at(edge)] : face_turn[at(face)];
     return d > 0 ? std::max(plain, turn / (share * turn_allowed(turn / d, scale))) : 0;
 }
 
@@ -350,7 +352,7 @@ std::vector<std::array<std::int32_t, 3>> SkinMesh::edges() const {
     return found;
 }
 
-bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool force) {
+bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool force, double share) {
     const std::int32_t edge = face == 0 ? segment(a, b) : 0;
     SkinPoint m;
     m.size = 0.5 * (points[at(a)].size + points[at(b)].size);
@@ -405,8 +407,8 @@ bool SkinMesh::split(std::int32_t a, std::int32_t b, std::int32_t face, bool for
                 auto p = triangle.p;
                 std::replace(p.begin(), p.end(), old, n);
                 const Score after = score(triangle.face, p);
-                if (after.normal < std::min(least_normal, before.normal) ||
-                    after.quality < std::min(0.1, 0.3 * before.quality)) {
+                if (after.normal < share * std::min(least_normal, before.normal) ||
+                    after.quality < share * std::min(0.1, 0.3 * before.quality)) {
                     points.pop_back();
                     around.pop_back();
                     corners_[at(n)].clear();
@@ -638,7 +640,10 @@ void SkinMesh::split_long() {
             const bool taken = std::any_of(own.begin(), own.end(), [&](std::int32_t t) {
                 return at(t) >= touched.size() || touched[at(t)] != 0;
             });
-            if (!taken && split(e[0], e[1], e[2])) {
+            // Much too long edges of the CAD stand in the way of all others.
+            constexpr double much = 2;
+            const double share = e[2] == 0 && -l > much ? 0.1 : 1;
+            if (!taken && split(e[0], e[1], e[2], false, share)) {
                 ++done;
                 for (const std::int32_t t : own) {
                     touched[at(t)] = 1;
@@ -830,8 +835,8 @@ void SkinMesh::find_sizes(const std::vector<double> &also) {
             const SurfaceFrame frame = corner(f, n).frame;
             const double k = std::max(std::abs(frame.major), 1e-12 / diagonal);
             if (frame.regular) {
-                h = std::min(
-                    h, std::max(tiny, options_.stretch * turn_allowed(k, face_scale_[at(f)]) / k));
+                h = std::min(h, std::max(tiny, options_.stretch * face_turn[at(f)] *
+                                                   turn_allowed(k, face_scale_[at(f)]) / k));
             }
         }
         if (p.on.dimension == 1 && edge(p.on.index).curve.GetType() != GeomAbs_Line) {
@@ -842,7 +847,9 @@ void SkinMesh::find_sizes(const std::vector<double> &also) {
             const double l = d1.Magnitude();
             const double k = l > 0 ? d1.Crossed(d2).Magnitude() / (l * l * l) : 0;
             if (k > 0) {
-                h = std::min(h, std::max(tiny, turn_allowed(k, edge_scale_[at(p.on.index)]) / k));
+                h = std::min(h,
+                             std::max(tiny, edge_turn[at(p.on.index)] *
+                                                turn_allowed(k, edge_scale_[at(p.on.index)]) / k));
             }
         }
         if (at(n) < also.size()) {
@@ -929,6 +936,58 @@ void SkinMesh::part_twins() {
                 split(ends[0], ends[1], f, true);
             }
             first = false;
+        }
+    }
+}
+
+void SkinMesh::drop_flat() {
+    constexpr double flat = 0.01; // height by the longest side
+    for (int round = 0; round < 3; ++round) {
+        bool any = false;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const Triangle triangle = triangles[t];
+            if (triangle.face == 0) {
+                continue;
+            }
+            std::size_t longest = 0; // the side after this corner
+            std::array<double, 3> l{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                l[i] = distance(points[at(triangle.p[i])].p, points[at(triangle.p[(i + 1) % 3])].p);
+                longest = l[i] > l[longest] ? i : longest;
+            }
+            const std::int32_t a = triangle.p[longest];
+            const std::int32_t b = triangle.p[(longest + 1) % 3];
+            const std::int32_t apex = triangle.p[(longest + 2) % 3];
+            const Vec3 o = points[at(a)].p;
+            const double doubled = norm(cross(points[at(b)].p - o, points[at(apex)].p - o));
+            if (doubled > flat * l[longest] * l[longest]) {
+                continue;
+            }
+            // The point between goes, or another edge parts the two triangles, or the long side
+            // gets a point on the CAD there.
+            if (flip(a, b)) {
+                any = true;
+                continue;
+            }
+            std::vector<std::int32_t> near;
+            for (const std::int32_t s : around[at(apex)]) {
+                for (const std::int32_t n : triangles[at(s)].p) {
+                    if (n != apex && std::find(near.begin(), near.end(), n) == near.end()) {
+                        near.push_back(n);
+                    }
+                }
+            }
+            std::sort(near.begin(), near.end(), [&](std::int32_t m, std::int32_t n) {
+                return distance(points[at(m)].p, points[at(apex)].p) <
+                       distance(points[at(n)].p, points[at(apex)].p);
+            });
+            const bool gone = points[at(apex)].on.dimension == 2 &&
+                              std::any_of(near.begin(), near.end(),
+                                          [&](std::int32_t n) { return collapse(apex, n, true); });
+            any = gone || split(a, b, segment(a, b) != 0 ? 0 : triangle.face, true) || any;
+        }
+        if (!any) {
+            break;
         }
     }
 }

@@ -48,6 +48,8 @@ public:
     std::vector<std::vector<std::int32_t>> around; // triangles of each point
     std::vector<char> bound;                       // by CAD edge: its division is given
     std::vector<int> inner;                        // by CAD edge: points between its ends
+    // By CAD face, edge: what the allowed turn is multiplied by.
+    std::vector<double> face_turn, edge_turn;
     [[nodiscard]] bool closed(std::int32_t edge) const;
 
     void add_triangle(std::array<std::int32_t, 3> p, std::int32_t face);
@@ -72,6 +74,8 @@ public:
     void flip(std::vector<std::array<std::int32_t, 2>> work);
     void smooth();
     void cut_ears();
+    // Removes or splits triangles that are nearly on a line.
+    void drop_flat();
     // No two points joined by curves of two faces, or by one beside a segment.
     void part_twins();
 
@@ -86,7 +90,9 @@ public:
     // Edge's length by the wanted one.
     double length(std::int32_t a, std::int32_t b, std::int32_t face);
     double length(std::int32_t a, std::int32_t b, std::int32_t face, double size);
-    bool split(std::int32_t a, std::int32_t b, std::int32_t face, bool force = false);
+    // share: of the quality that the new triangles must have.
+    bool split(std::int32_t a, std::int32_t b, std::int32_t face, bool force = false,
+               double share = 1);
     bool collapse(std::int32_t from, std::int32_t to, bool force = false);
     bool flip(std::int32_t a, std::int32_t b);
     [[nodiscard]] double turn_allowed(double curvature, double scale) const;
@@ -102,7 +108,7 @@ private:
     // With point p[0] at another place.
     double normal_of(const std::array<Vec3, 3> &at,
                      const std::array<SurfaceFrame, 3> &frames) const;
-    double edge_turn(std::int32_t a, std::int32_t b, std::int32_t edge);
+    double turn_along(std::int32_t a, std::int32_t b, std::int32_t edge);
     void replace(std::int32_t triangle, std::int32_t from, std::int32_t to);
     void remove(std::int32_t triangle);
     bool smooth_point(std::int32_t n);

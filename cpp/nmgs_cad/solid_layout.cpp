@@ -6,7 +6,10 @@
 #include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/mapped.h"
 #include "nmgs_cad/midpoint.h"
+#include "nmgs_cad/midpoint_obstacles.h"
 #include "nmgs_cad/primitive.h"
+#include "nmgs_cad/solid_groups.h"
+#include "nmgs_cad/solid_likeness.h"
 #include "nmgs_cad/submap.h"
 #include "nmgs_cad/sweep.h"
 
@@ -17,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -99,9 +101,12 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         }
         poll(progress, 0.0);
-        if (strategy == &fill_cut &&
-            (!options.cuts || (best && best->quality.worst >= options.good))) {
-            break; // the search for cuts is dear
+        if (best && best->quality.worst >= options.good &&
+            (strategy == &fill_cut || best->entry.blocks == 1)) {
+            break; // the search for cuts is dear; there are no fewer blocks than one
+        }
+        if (strategy == &fill_cut && !options.cuts) {
+            break;
         }
         const auto refuse = [&](const Refusal &refusal) {
             entry.reason +=
@@ -154,49 +159,30 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
     return best;
 }
 
-// Groups of solids that are joined by shared faces.
-std::vector<std::vector<int>> joined(const CadShape &shape, std::span<const int> solids) {
-    std::map<int, std::vector<std::size_t>> users;
-    std::vector<std::size_t> root(solids.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](std::size_t n) {
-        while (root[n] != n) {
-            n = root[n];
+// What became of a group of solids.
+struct GroupFilling {
+    std::optional<Layout> layout;
+    std::map<int, FitEntry> entries; // of its solids; where there is no layout, of some
+    int culprit = 0;                 // the one that could not be filled last
+    bool alone = false;              // not even by itself
+
+    [[nodiscard]] double worst() const {
+        double least = layout ? 1 : -1;
+        for (const auto &[solid, entry] : entries) {
+            least = layout ? std::min(least, entry.quality) : least;
         }
-        return n;
-    };
-    for (std::size_t s = 0; s < solids.size(); ++s) {
-        TopTools_IndexedMapOfShape faces;
-        TopExp::MapShapes(shape.solid(solids[s]), TopAbs_FACE, faces);
-        for (int f = 1; f <= faces.Extent(); ++f) {
-            auto &list = users[shape.faces.FindIndex(faces(f))];
-            if (!list.empty()) {
-                root[find(s)] = find(list.front());
-            }
-            list.push_back(s);
-        }
+        return least;
     }
-    std::map<std::size_t, std::vector<int>> groups;
-    for (std::size_t s = 0; s < solids.size(); ++s) {
-        groups[find(s)].push_back(solids[s]);
-    }
-    std::vector<std::vector<int>> result;
-    result.reserve(groups.size());
-    for (auto &[first, group] : groups) {
-        result.push_back(std::move(group));
-    }
-    return result;
-}
+};
 
 // Fills the solids of a group one after the other. One that does not come to terms with what its
 // neighbours laid over their common faces goes first in the next try.
-bool fill_group(const CadShape &shape, std::vector<int> order, Layout &layout,
-                const SolidLayoutOptions &options, std::map<int, FitEntry> &entries,
-                const Progress &progress) {
-    const std::vector<int> group = order;
-    const std::size_t tries = group.size() == 1 ? 1 : std::min<std::size_t>(group.size() + 2, 8);
-    std::map<int, FitEntry> first_reasons;
-    for (std::size_t attempt = 0; attempt < tries; ++attempt) {
+GroupFilling fill_in_turn(const CadShape &shape, std::vector<int> order, const Layout &layout,
+                          const SolidLayoutOptions &options, std::size_t tries,
+                          const Progress &progress) {
+    GroupFilling result;
+    std::set<std::vector<int>> tried;
+    for (std::size_t attempt = 0; attempt < tries && tried.insert(order).second; ++attempt) {
         Layout trial = layout;
         std::map<int, FitEntry> found;
         std::size_t done = 0;
@@ -210,31 +196,171 @@ bool fill_group(const CadShape &shape, std::vector<int> order, Layout &layout,
             trial = std::move(filling->layout);
         }
         if (done == order.size()) {
-            layout = std::move(trial);
-            entries.merge(found);
-            return true;
+            result.layout = std::move(trial);
+            result.entries = std::move(found);
+            return result;
         }
-        first_reasons.emplace(order[done], found[order[done]]);
-        if (done == 0) {
-            break; // not even alone
+        result.culprit = order[done];
+        result.entries.emplace(order[done], found[order[done]]);
+        result.alone = done == 0;
+        if (result.alone) {
+            break;
         }
         std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(done),
                     order.begin() + static_cast<std::ptrdiff_t>(done) + 1);
     }
-    const auto culprit = *first_reasons.rbegin();
-    for (const int solid : group) {
-        FitEntry &entry = entries[solid];
-        const auto own = first_reasons.find(solid);
-        if (own != first_reasons.end()) {
-            entry = own->second;
-            continue;
-        }
-        entry.entity = {3, solid};
-        entry.reason = "it shares faces with " + entity_name(3, culprit.first) +
-                       ", for which there is no structured strategy";
-        entry.blockers = {entity_name(3, culprit.first)};
+    return result;
+}
+
+// Cuts all solids of a group by the same planes and cylinders.
+GroupFilling fill_together(const CadShape &shape, const std::vector<int> &group,
+                           const Layout &layout, const SolidLayoutOptions &options,
+                           const Progress &progress) {
+    GroupFilling result;
+    Layout trial = layout;
+    Refusal refusal;
+    bool filled = false;
+    try {
+        filled = cut_solids(shape, group, trial, options.layout, refusal, progress);
+    } catch (const GeometryError &error) {
+        refusal = {error.what(), error.entities};
+    } catch (const Standard_Failure &failure) {
+        refusal = {std::string("OpenCASCADE: ") + failure.GetMessageString(), {}};
     }
-    return false;
+    double volume = 0;
+    for (const int solid : group) {
+        volume += std::abs(volume_of(shape.solid(solid)));
+        if (filled && !uncovered(shape, solid, trial).empty()) {
+            const auto names = uncovered(shape, solid, trial);
+            refusal = {"cuts would not cover " + names.front(), names};
+            filled = false;
+        }
+    }
+    if (filled) {
+        const LayoutQuality quality = layout_quality(shape, trial, layout.hexas.size());
+        for (const int solid : group) {
+            FitEntry &entry = result.entries[solid];
+            entry.entity = {3, solid};
+            entry.method = "cut";
+            entry.quality = quality.worst;
+        }
+        if (quality.worst > 0 && std::abs(quality.volume - volume) <= volume_error * volume) {
+            result.layout = std::move(trial);
+            return result;
+        }
+        refusal = {"the blocks of cuts would be folded", {}};
+    }
+    for (const int solid : group) {
+        FitEntry &entry = result.entries[solid];
+        entry = {};
+        entry.entity = {3, solid};
+        entry.reason = "cut with its neighbours: " + refusal.reason;
+        entry.blockers = refusal.blockers;
+    }
+    return result;
+}
+
+// Where one of a group cannot be filled even by itself without cuts: cuts that, then fills the
+// others.
+GroupFilling fill_after_cut(const CadShape &shape, const std::vector<int> &group, int first,
+                            const Layout &layout, const SolidLayoutOptions &options,
+                            const Progress &progress) {
+    SolidLayoutOptions by_cuts = options;
+    by_cuts.method = "cut";
+    GroupFilling result;
+    FitEntry entry;
+    const auto filling = fill(shape, first, layout, by_cuts, entry, progress);
+    if (filling) {
+        std::vector<int> others = group;
+        others.erase(std::remove(others.begin(), others.end(), first), others.end());
+        SolidLayoutOptions without_cuts = options;
+        without_cuts.cuts = false;
+        constexpr std::size_t tries = 3;
+        result = fill_in_turn(shape, others, filling->layout, without_cuts, tries, progress);
+    }
+    result.entries[first] = entry;
+    return result;
+}
+
+// The best filling of solids that share nodes, or the reasons of each.
+GroupFilling fill_group(const CadShape &shape, const std::vector<int> &group, const Layout &layout,
+                        const SolidLayoutOptions &options, const Progress &progress) {
+    const std::size_t tries = group.size() == 1 ? 1 : std::min<std::size_t>(group.size() + 2, 8);
+    SolidLayoutOptions without_cuts = options;
+    without_cuts.cuts = options.cuts && (group.size() == 1 || options.method == "cut");
+    GroupFilling best = fill_in_turn(shape, group, layout, without_cuts, tries, progress);
+    constexpr double poor = 0.2;
+    if (options.cuts && group.size() > 1 && options.method == "auto") {
+        const bool culprit = !best.layout && best.alone;
+        for (const bool together : {false, true}) {
+            if (best.worst() > poor || (!together && !culprit)) {
+                continue;
+            }
+            GroupFilling next =
+                together ? fill_together(shape, group, layout, options, progress)
+                         : fill_after_cut(shape, group, best.culprit, layout, options, progress);
+            if (next.worst() > best.worst()) {
+                best = std::move(next);
+            } else if (!best.layout) {
+                for (auto &[solid, entry] : next.entries) {
+                    FitEntry &mine = best.entries.try_emplace(solid, entry).first->second;
+                    if (solid == best.culprit && !entry.reason.empty()) {
+                        mine.reason += "; " + entry.reason;
+                    }
+                }
+            }
+        }
+    }
+    if (best.layout) {
+        return best;
+    }
+    for (const int solid : group) {
+        const auto [own, added] = best.entries.try_emplace(solid);
+        FitEntry &entry = own->second;
+        if (added) {
+            entry.entity = {3, solid};
+            entry.reason = "it shares faces with " + entity_name(3, best.culprit) +
+                           ", for which there is no structured strategy";
+            entry.blockers = {entity_name(3, best.culprit)};
+        }
+    }
+    return best;
+}
+
+// Solids that touch no other, as they have turned out so far.
+struct Known {
+    SolidLikeness likeness;
+    FitEntry entry;
+};
+
+// What is known of a solid that looks the same.
+const FitEntry *known_of(const std::vector<Known> &known, const SolidLikeness &likeness) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Known &other) {
+        return alike(other.likeness, likeness);
+    });
+    return found == known.end() ? nullptr : &found->entry;
+}
+
+// The groups, those with least in the way of blocks first.
+std::vector<std::vector<int>> easiest_first(const CadShape &shape, std::span<const int> solids) {
+    auto groups = joined_solids(shape, solids);
+    if (groups.size() < 2) {
+        return groups;
+    }
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        double weight = 0;
+        for (const int solid : groups[g]) {
+            weight += obstacles_of(shape, solid).weight;
+        }
+        order.emplace_back(weight, g);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::vector<int>> result;
+    for (const auto &[weight, g] : order) {
+        result.push_back(std::move(groups[g]));
+    }
+    return result;
 }
 
 } // namespace
@@ -252,10 +378,47 @@ std::vector<FitEntry> layout_solids(const CadShape &shape, std::span<const int> 
         throw ArgumentError("method: " + options.method + " is not known");
     }
     std::map<int, FitEntry> entries;
-    const auto groups = joined(shape, solids);
+    const auto groups = easiest_first(shape, solids);
+    // Work for searches over cuts: enough for one, a little more for many; each leaves what it does
+    // not use to the harder ones that come after it.
+    constexpr int for_one = 3000;
+    constexpr int for_each = 300;
+    int left = for_one + for_each * static_cast<int>(groups.size());
+    std::vector<Known> known;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         poll(progress, static_cast<double>(g) / static_cast<double>(groups.size()));
-        fill_group(shape, groups[g], layout, options, entries, progress);
+        const auto &group = groups[g];
+        SolidLayoutOptions mine = options;
+        const int share = std::min(for_one, left / static_cast<int>(groups.size() - g));
+        int work = share;
+        mine.layout.cut_work = &work;
+        const bool alone = group.size() == 1 && groups.size() > 1 && options.method == "auto";
+        const SolidLikeness likeness = alone ? likeness_of(shape, group.front()) : SolidLikeness{};
+        const FitEntry *same = alone ? known_of(known, likeness) : nullptr;
+        GroupFilling filling;
+        if (same != nullptr && same->method.empty()) {
+            FitEntry &entry = filling.entries[group.front()];
+            entry.entity = {3, group.front()};
+            entry.reason = "it is like " + entity_name(3, same->entity.index) + ": " + same->reason;
+            entry.blockers = {entity_name(3, group.front())};
+        } else {
+            if (same != nullptr) {
+                mine.method = same->method;
+                filling = fill_group(shape, group, layout, mine, progress);
+                mine.method = options.method;
+            }
+            if (!filling.layout) {
+                filling = fill_group(shape, group, layout, mine, progress);
+            }
+        }
+        left -= share - std::max(work, 0);
+        if (filling.layout) {
+            layout = std::move(*filling.layout);
+        }
+        if (alone && same == nullptr) {
+            known.push_back({likeness, filling.entries.at(group.front())});
+        }
+        entries.merge(filling.entries);
     }
     // Each solid's hexahedra together, in the order of the solids.
     std::map<int, std::vector<Layout::Hexa>> of;

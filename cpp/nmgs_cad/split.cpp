@@ -117,6 +117,140 @@ Parts parts_of(const CadShape &shape, std::span<const int> solids) {
     return parts;
 }
 
+// The first entity of these solids, other than a degenerated edge, that no piece lies on.
+std::optional<CadEntity> lost(const CadShape &shape, std::span<const int> solids,
+                              const Pieces &pieces) {
+    std::set<std::array<int, 2>> there;
+    for (const auto *list : {&pieces.vertex_on, &pieces.edge_on, &pieces.face_on}) {
+        for (const CadEntity &e : *list) {
+            there.insert({e.dimension, e.index});
+        }
+    }
+    const Parts parts = parts_of(shape, solids);
+    for (int n = 1; n <= parts.vertices.Extent(); ++n) {
+        const int number = shape.vertices.FindIndex(parts.vertices(n));
+        if (!there.contains({0, number})) {
+            return CadEntity{0, number};
+        }
+    }
+    for (int n = 1; n <= parts.edges.Extent(); ++n) {
+        const int number = shape.edges.FindIndex(parts.edges(n));
+        if (!there.contains({1, number}) && !BRep_Tool::Degenerated(TopoDS::Edge(parts.edges(n)))) {
+            return CadEntity{1, number};
+        }
+    }
+    for (int n = 1; n <= parts.faces.Extent(); ++n) {
+        const int number = shape.faces.FindIndex(parts.faces(n));
+        if (!there.contains({2, number})) {
+            return CadEntity{2, number};
+        }
+    }
+    return std::nullopt;
+}
+
+// What becomes of the arguments, which are made of these solids, whose volumes are given by number;
+// OpenCASCADE's failures are thrown.
+std::optional<Pieces> pieces_of(const CadShape &shape, std::span<const int> solids,
+                                const std::vector<double> &volumes,
+                                const TopTools_ListOfShape &arguments,
+                                const TopTools_ListOfShape &tools, Refusal &refusal) {
+    double volume = 0;
+    for (const int n : solids) {
+        volume += volumes[at(n)];
+    }
+    BRepAlgoAPI_Splitter splitter;
+    BRepAlgoAPI_BuilderAlgo fuse;
+    BRepAlgoAPI_BuilderAlgo &algorithm = tools.IsEmpty() ? fuse : splitter;
+    algorithm.SetArguments(arguments);
+    if (!tools.IsEmpty()) {
+        splitter.SetTools(tools);
+    }
+    algorithm.SetNonDestructive(Standard_True);
+    algorithm.SetRunParallel(Standard_False);
+    const bool alone = tools.IsEmpty() && arguments.Size() == 1; // nothing to do
+    algorithm.SetToFillHistory(!alone);
+    if (!alone) {
+        algorithm.Build();
+        if (!algorithm.IsDone() || algorithm.HasErrors()) {
+            refusal.reason = "OpenCASCADE cannot split it";
+            return std::nullopt;
+        }
+    }
+    BRep_Builder builder;
+    TopoDS_Compound compound;
+    builder.MakeCompound(compound);
+    TopTools_IndexedMapOfShape found;
+    TopExp::MapShapes(alone ? arguments.First() : algorithm.Shape(), TopAbs_SOLID, found);
+    for (int n = 1; n <= found.Extent(); ++n) {
+        builder.Add(compound, found(n));
+    }
+    Pieces pieces;
+    pieces.cad = make_shape(compound);
+    pieces.volume.assign(at(pieces.cad.solids.Extent()) + 1, 0);
+    double sum = 0;
+    for (int n = 1; n <= pieces.cad.solids.Extent(); ++n) {
+        const int before = shape.solids.FindIndex(pieces.cad.solids(n)); // as it was
+        pieces.volume[at(n)] =
+            before > 0 ? volumes[at(before)] : std::abs(volume_of(pieces.cad.solid(n)));
+        sum += pieces.volume[at(n)];
+    }
+    if (std::abs(sum - volume) > 1e-4 * volume) {
+        refusal.reason = "the pieces do not have its volume";
+        return std::nullopt;
+    }
+    const CadShape &cad = pieces.cad;
+    const CadEntity nowhere{4, 0};
+    pieces.vertex_on.assign(at(cad.vertices.Extent()) + 1, nowhere);
+    pieces.edge_on.assign(at(cad.edges.Extent()) + 1, nowhere);
+    pieces.face_on.assign(at(cad.faces.Extent()) + 1, nowhere);
+    pieces.solid_on.assign(at(cad.solids.Extent()) + 1, nowhere);
+    for (const int n : solids) {
+        name_images(algorithm, shape.solid(n), {3, n}, cad.solids, pieces.solid_on);
+    }
+    const Parts parts = parts_of(shape, solids);
+    for (int n = 1; n <= parts.faces.Extent(); ++n) {
+        name_images(algorithm, parts.faces(n), {2, shape.faces.FindIndex(parts.faces(n))},
+                    cad.faces, pieces.face_on);
+    }
+    for (int n = 1; n <= parts.edges.Extent(); ++n) {
+        name_images(algorithm, parts.edges(n), {1, shape.edges.FindIndex(parts.edges(n))},
+                    cad.edges, pieces.edge_on);
+    }
+    for (int n = 1; n <= parts.vertices.Extent(); ++n) {
+        name_images(algorithm, parts.vertices(n), {0, shape.vertices.FindIndex(parts.vertices(n))},
+                    cad.vertices, pieces.vertex_on);
+    }
+    name_by_place(shape, parts.vertices, pieces);
+    for (int n = 1; n <= cad.solids.Extent(); ++n) {
+        if (pieces.solid_on[at(n)].dimension != 3) {
+            refusal.reason = "a piece has lost the solid that it comes from";
+            return std::nullopt;
+        }
+        for (TopExp_Explorer it(cad.solids(n), TopAbs_FACE); it.More(); it.Next()) {
+            auto &on = pieces.face_on[at(cad.faces.FindIndex(it.Current()))];
+            on = on.dimension > 3 ? pieces.solid_on[at(n)] : on;
+        }
+    }
+    inherit(cad, pieces);
+    return pieces;
+}
+
+TopoDS_Compound compound_of(const CadShape &shape, std::span<const int> solids) {
+    const BRep_Builder builder;
+    TopoDS_Compound compound;
+    builder.MakeCompound(compound);
+    for (const int n : solids) {
+        builder.Add(compound, shape.solid(n));
+    }
+    return compound;
+}
+
+std::vector<int> all_solids(const CadShape &shape) {
+    std::vector<int> solids(at(shape.solids.Extent()));
+    std::iota(solids.begin(), solids.end(), 1);
+    return solids;
+}
+
 } // namespace
 
 std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
@@ -127,106 +261,19 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
     }
     try {
         TopTools_ListOfShape arguments;
-        double volume = 0;
+        std::vector<double> volumes(at(shape.solids.Extent()) + 1, 0);
         for (const int n : solids) {
             arguments.Append(shape.solid(n));
-            volume += std::abs(volume_of(shape.solid(n)));
+            volumes[at(n)] = std::abs(volume_of(shape.solid(n)));
         }
-        BRepAlgoAPI_Splitter splitter;
-        BRepAlgoAPI_BuilderAlgo fuse;
-        BRepAlgoAPI_BuilderAlgo &algorithm = tools.IsEmpty() ? fuse : splitter;
-        algorithm.SetArguments(arguments);
-        if (!tools.IsEmpty()) {
-            splitter.SetTools(tools);
-        }
-        algorithm.SetNonDestructive(Standard_True);
-        algorithm.SetRunParallel(Standard_False);
-        const bool alone = tools.IsEmpty() && solids.size() == 1; // nothing to do
-        algorithm.SetToFillHistory(!alone);
-        if (!alone) {
-            algorithm.Build();
-            if (!algorithm.IsDone() || algorithm.HasErrors()) {
-                refusal.reason = "OpenCASCADE cannot split it";
-                return std::nullopt;
-            }
-        }
-        BRep_Builder builder;
-        TopoDS_Compound compound;
-        builder.MakeCompound(compound);
-        TopTools_IndexedMapOfShape found;
-        TopExp::MapShapes(alone ? arguments.First() : algorithm.Shape(), TopAbs_SOLID, found);
-        double sum = 0;
-        for (int n = 1; n <= found.Extent(); ++n) {
-            builder.Add(compound, found(n));
-            sum += std::abs(volume_of(found(n)));
-        }
-        if (std::abs(sum - volume) > 1e-4 * volume) {
-            refusal.reason = "the pieces do not have its volume";
+        auto pieces = pieces_of(shape, solids, volumes, arguments, tools, refusal);
+        if (!pieces) {
             return std::nullopt;
         }
-        Pieces pieces;
-        pieces.cad = make_shape(compound);
-        const CadShape &cad = pieces.cad;
-        const CadEntity nowhere{4, 0};
-        pieces.vertex_on.assign(at(cad.vertices.Extent()) + 1, nowhere);
-        pieces.edge_on.assign(at(cad.edges.Extent()) + 1, nowhere);
-        pieces.face_on.assign(at(cad.faces.Extent()) + 1, nowhere);
-        pieces.solid_on.assign(at(cad.solids.Extent()) + 1, nowhere);
-        for (const int n : solids) {
-            name_images(algorithm, shape.solid(n), {3, n}, cad.solids, pieces.solid_on);
-        }
-        const Parts parts = parts_of(shape, solids);
-        for (int n = 1; n <= parts.faces.Extent(); ++n) {
-            name_images(algorithm, parts.faces(n), {2, shape.faces.FindIndex(parts.faces(n))},
-                        cad.faces, pieces.face_on);
-        }
-        for (int n = 1; n <= parts.edges.Extent(); ++n) {
-            name_images(algorithm, parts.edges(n), {1, shape.edges.FindIndex(parts.edges(n))},
-                        cad.edges, pieces.edge_on);
-        }
-        for (int n = 1; n <= parts.vertices.Extent(); ++n) {
-            name_images(algorithm, parts.vertices(n),
-                        {0, shape.vertices.FindIndex(parts.vertices(n))}, cad.vertices,
-                        pieces.vertex_on);
-        }
-        name_by_place(shape, parts.vertices, pieces);
-        for (int n = 1; n <= cad.solids.Extent(); ++n) {
-            if (pieces.solid_on[at(n)].dimension != 3) {
-                refusal.reason = "a piece has lost the solid that it comes from";
-                return std::nullopt;
-            }
-            for (TopExp_Explorer it(cad.solids(n), TopAbs_FACE); it.More(); it.Next()) {
-                auto &on = pieces.face_on[at(cad.faces.FindIndex(it.Current()))];
-                on = on.dimension > 3 ? pieces.solid_on[at(n)] : on;
-            }
-        }
-        inherit(cad, pieces);
-        // Every entity is still there; solids that touch may have given theirs to each other.
-        std::set<std::array<int, 2>> there;
-        for (const auto *list : {&pieces.vertex_on, &pieces.edge_on, &pieces.face_on}) {
-            for (const CadEntity &e : *list) {
-                there.insert({e.dimension, e.index});
-            }
-        }
-        const auto missing = [&](const TopTools_IndexedMapOfShape &map, int dimension,
-                                 const TopTools_IndexedMapOfShape &numbers) {
-            for (int n = 1; n <= map.Extent(); ++n) {
-                const int number = numbers.FindIndex(map(n));
-                if (!there.contains({dimension, number}) &&
-                    !(dimension == 1 && BRep_Tool::Degenerated(TopoDS::Edge(map(n))))) {
-                    refusal = {"cutting loses " + entity_name(dimension, number),
-                               {entity_name(dimension, number)}};
-                    return true;
-                }
-            }
-            return false;
-        };
-        if (tools.IsEmpty()) {
-            refusal = {};
-            return pieces;
-        }
-        if (missing(parts.vertices, 0, shape.vertices) || missing(parts.edges, 1, shape.edges) ||
-            missing(parts.faces, 2, shape.faces)) {
+        // Solids that touch may have given their entities to each other; cuts leave all there.
+        if (const auto missing = tools.IsEmpty() ? std::nullopt : lost(shape, solids, *pieces)) {
+            const std::string name = entity_name(missing->dimension, missing->index);
+            refusal = {"cutting loses " + name, {name}};
             return std::nullopt;
         }
         refusal = {};
@@ -237,10 +284,60 @@ std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
     }
 }
 
+std::optional<Pieces> split(const CadShape &shape, const Pieces &pieces,
+                            const TopTools_ListOfShape &tools, Refusal &refusal) {
+    std::set<int> whole;
+    for (std::size_t n = 1; n < pieces.solid_on.size(); ++n) {
+        whole.insert(pieces.solid_on[n].index);
+    }
+    refusal = {};
+    for (const int n : whole) {
+        refusal.blockers.push_back(entity_name(3, n));
+    }
+    try {
+        const std::vector<int> parts = all_solids(pieces.cad);
+        TopTools_ListOfShape arguments;
+        // OpenCASCADE turns solids that are stored inside out only where they are arguments.
+        const bool turned = std::any_of(parts.begin(), parts.end(), [&](int n) {
+            const TopoDS_Solid solid = pieces.cad.solid(n);
+            return solid.Orientation() != TopAbs_FORWARD || volume_of(solid) < 0;
+        });
+        if (turned) {
+            for (const int n : parts) {
+                arguments.Append(pieces.cad.solid(n));
+            }
+        } else {
+            arguments.Append(compound_of(pieces.cad, parts));
+        }
+        auto finer = pieces_of(pieces.cad, parts, pieces.volume, arguments, tools, refusal);
+        if (!finer) {
+            return std::nullopt;
+        }
+        for (auto *list : {&finer->vertex_on, &finer->edge_on, &finer->face_on, &finer->solid_on}) {
+            for (CadEntity &e : *list) {
+                const auto &on = e.dimension == 0   ? pieces.vertex_on
+                                 : e.dimension == 1 ? pieces.edge_on
+                                 : e.dimension == 2 ? pieces.face_on
+                                                    : pieces.solid_on;
+                e = e.dimension > 3 ? e : on[at(e.index)];
+            }
+        }
+        const std::vector<int> solids(whole.begin(), whole.end());
+        if (const auto missing = lost(shape, solids, *finer)) {
+            const std::string name = entity_name(missing->dimension, missing->index);
+            refusal = {"cutting loses " + name, {name}};
+            return std::nullopt;
+        }
+        refusal = {};
+        return finer;
+    } catch (const Standard_Failure &failure) {
+        refusal.reason = std::string("OpenCASCADE: ") + failure.GetMessageString();
+        return std::nullopt;
+    }
+}
+
 std::optional<Pieces> imprint(const CadShape &shape, Refusal &refusal) {
-    std::vector<int> solids(at(shape.solids.Extent()));
-    std::iota(solids.begin(), solids.end(), 1);
-    return split(shape, solids, {}, refusal);
+    return split(shape, all_solids(shape), {}, refusal);
 }
 
 namespace {

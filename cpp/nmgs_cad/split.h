@@ -19,11 +19,17 @@ namespace nmgs::cad {
 struct Pieces {
     CadShape cad;
     std::vector<CadEntity> vertex_on, edge_on, face_on, solid_on;
+    std::vector<double> volume; // of each solid of `cad`, from 1
 };
 
 // The solids cut by all the tools at once (general fuse, so that what touches shares its faces).
 // Nothing and the refusal when OpenCASCADE fails, or when its pieces do not make up the solids.
 std::optional<Pieces> split(const CadShape &shape, std::span<const int> solids,
+                            const TopTools_ListOfShape &tools, Refusal &refusal);
+
+// The pieces of solids of the shape, cut by more tools. What meets face to face already is not
+// intersected once more.
+std::optional<Pieces> split(const CadShape &shape, const Pieces &pieces,
                             const TopTools_ListOfShape &tools, Refusal &refusal);
 
 // All solids of the shape imprinted on each other: those that touch share their faces from then on.

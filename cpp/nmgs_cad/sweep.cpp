@@ -16,10 +16,16 @@
 namespace nmgs::cad {
 namespace {
 
-// Normals of the solid's plane faces, each line of directions once, those of most faces last: few
-// caps make few levels.
-std::vector<gp_Dir> directions(const CadShape &shape, int solid) {
+struct Directions {
+    // Normals of at least two plane faces, each line of directions once, those of most faces last:
+    // few caps make few levels.
+    std::vector<gp_Dir> normals;
+    std::vector<gp_Dir> axes; // of extruded faces, where they are no such normals
+};
+
+Directions directions(const CadShape &shape, int solid) {
     std::vector<std::pair<int, Vec3>> found;
+    std::vector<Vec3> axes;
     for (TopExp_Explorer it(shape.solid(solid), TopAbs_FACE); it.More(); it.Next()) {
         const auto samples = sample_normals(TopoDS::Face(it.Current()));
         if (samples.empty()) {
@@ -30,6 +36,17 @@ std::vector<gp_Dir> directions(const CadShape &shape, int solid) {
             return norm(cross(s.normal, n)) < 1e-4;
         });
         if (!plane) {
+            const auto other = std::find_if(samples.begin(), samples.end(), [&](const auto &s) {
+                return norm(cross(s.normal, n)) > 0.1;
+            });
+            if (other != samples.end()) {
+                const Vec3 axis = unit(cross(n, other->normal));
+                if (std::all_of(samples.begin(), samples.end(), [&](const auto &s) {
+                        return std::abs(dot(s.normal, axis)) < 1e-4;
+                    })) {
+                    axes.push_back(axis);
+                }
+            }
             continue;
         }
         const auto known = std::find_if(found.begin(), found.end(), [&](const auto &f) {
@@ -43,10 +60,20 @@ std::vector<gp_Dir> directions(const CadShape &shape, int solid) {
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const auto &a, const auto &b) { return a.first < b.first; });
-    std::vector<gp_Dir> result;
+    Directions result;
     for (const auto &[count, n] : found) {
         if (count > 1) {
-            result.emplace_back(n.x, n.y, n.z);
+            result.normals.emplace_back(n.x, n.y, n.z);
+        }
+    }
+    for (const Vec3 a : axes) {
+        const gp_Dir axis(a.x, a.y, a.z);
+        const auto parallel = [&](const gp_Dir &d) { return d.IsParallel(axis, 1e-4); };
+        constexpr std::size_t most = 3;
+        if (result.axes.size() < most &&
+            std::none_of(result.normals.begin(), result.normals.end(), parallel) &&
+            std::none_of(result.axes.begin(), result.axes.end(), parallel)) {
+            result.axes.push_back(axis);
         }
     }
     return result;
@@ -57,7 +84,8 @@ std::vector<gp_Dir> directions(const CadShape &shape, int solid) {
 bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
                 Refusal &refusal, const Progress &progress) {
     refusal = {"no two of its plane faces are parallel", {entity_name(3, solid)}};
-    for (const gp_Dir &direction : directions(shape, solid)) {
+    Directions found = directions(shape, solid);
+    for (const gp_Dir &direction : found.normals) {
         poll(progress, 0.0);
         Section section;
         if (section_along(shape, solid, direction, layout, section, refusal) &&
@@ -68,11 +96,12 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
             return true;
         }
     }
-    for (const gp_Dir &direction : directions(shape, solid)) {
+    found.normals.insert(found.normals.end(), found.axes.begin(), found.axes.end());
+    for (const gp_Dir &direction : found.normals) {
         poll(progress, 0.0);
         Section section;
         Refusal why;
-        if (section_over(shape, solid, direction, section, why) &&
+        if (section_over(shape, solid, direction, layout, section, why) &&
             fill_finer(shape, solid, layout, options, why, progress,
                        [&](Layout &trial, const LayoutOptions &finer, Refusal &no) {
                            return sweep_section(shape, solid, section, trial, finer, no, progress);

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/tets_to_hexas.h"
 
+#include "nmgs/quality/volume_metrics.h"
 #include "nmgs/support/ascending.h"
 #include "nmgs/support/at.h"
 #include "nmgs_cad/cad_tets.h"
+#include "nmgs_cad/untangle.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 namespace nmgs::cad {
 namespace {
@@ -17,174 +21,138 @@ namespace {
 // For each corner of a tetrahedron the three others, right-handed.
 constexpr std::array<std::array<std::size_t, 3>, 4> others{
     {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {0, 2, 1}}};
-// For each corner of a hexahedron its three neighbours, right-handed.
-constexpr std::array<std::array<std::size_t, 3>, 8> next{
-    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
-
-constexpr double doubtful = 0.15; // at the corners
-
-// The hexahedra while their inner points move.
-struct Cells {
-    std::vector<Vec3> points;
-    std::vector<char> free;
-    std::vector<std::array<std::int32_t, 8>> hexas;
-    std::vector<std::vector<std::int32_t>> around;
-    // Of each hexahedron: its place in ends, or -1. By 3 * corner + direction the far end of the
-    // tetrahedron's edge, of which this is a half, where the CAD bends it; else -1.
-    std::vector<std::int32_t> bent;
-    std::vector<std::array<std::int32_t, 24>> ends;
-    // Points in faces that may move along them, and how.
-    std::map<std::int32_t, std::pair<int, Uv>> sliding;
-    std::function<Vec3(int face, Uv guess, Vec3 p)> onto;
-
-    static double scaled(Vec3 u, Vec3 v, Vec3 w) {
-        const double l = norm(u) * norm(v) * norm(w);
-        return l > 0 ? determinant(u, v, w) / l : -1;
-    }
-    [[nodiscard]] double worst(std::int32_t number) const {
-        const auto &h = hexas[at(number)];
-        double least = 1;
-        for (std::size_t c = 0; c < 8; ++c) {
-            const Vec3 o = points[at(h[c])];
-            std::array<Vec3, 3> d{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                d[i] = points[at(h[next[c][i]])] - o;
-            }
-            least = std::min(least, scaled(d[0], d[1], d[2]));
-            if (bent[at(number)] >= 0) {
-                const auto &own = ends[at(bent[at(number)])];
-                bool any = false;
-                for (std::size_t i = 0; i < 3; ++i) {
-                    const std::int32_t far = own[3 * c + i];
-                    if (far >= 0) {
-                        // The tangent of the quadratic at its end, and in its middle.
-                        d[i] = c == 0 ? 4.0 * points[at(h[next[0][i]])] - 3.0 * o - points[at(far)]
-                                      : points[at(h[0])] - points[at(far)];
-                        any = true;
-                    }
-                }
-                least = any ? std::min(least, scaled(d[0], d[1], d[2])) : least;
-            }
-        }
-        return least < doubtful ? std::min(least, worst_inside(h)) : least;
-    }
-    // Of what has sound corners the inside may still fold: least at the middles of the edges and
-    // faces and in the centre.
-    [[nodiscard]] double worst_inside(const std::array<std::int32_t, 8> &h) const {
-        const auto edge = [&](std::size_t a, std::size_t b) {
-            return points[at(h[b])] - points[at(h[a])];
-        };
-        const std::array<std::array<Vec3, 4>, 3> d{
-            {{edge(0, 1), edge(3, 2), edge(4, 5), edge(7, 6)},
-             {edge(0, 3), edge(1, 2), edge(4, 7), edge(5, 6)},
-             {edge(0, 4), edge(1, 5), edge(3, 7), edge(2, 6)}}};
-        // Between the four parallel edges, at fractions 0, 1/2, 1 along the two other directions.
-        const auto between = [](const std::array<Vec3, 4> &four, int i, int j) {
-            const double x = 0.5 * i;
-            const double y = 0.5 * j;
-            return (1 - x) * (1 - y) * four[0] + x * (1 - y) * four[1] + (1 - x) * y * four[2] +
-                   x * y * four[3];
-        };
-        double least = 1;
-        for (int k = 0; k < 3; ++k) {
-            for (int j = 0; j < 3; ++j) {
-                for (int i = 0; i < 3; ++i) {
-                    if (i == 1 || j == 1 || k == 1) {
-                        least = std::min(least, scaled(between(d[0], j, k), between(d[1], i, k),
-                                                       between(d[2], i, j)));
-                    }
-                }
-            }
-        }
-        return least;
-    }
-    [[nodiscard]] double worst_around(std::int32_t n) const {
-        double least = 1;
-        for (const std::int32_t h : around[at(n)]) {
-            least = std::min(least, worst(h));
-        }
-        return least;
-    }
-    void move(std::int32_t n, double &worst);
-    double improve(double good, int sweeps, const Progress &progress);
-};
-
-void Cells::move(std::int32_t n, double &worst) {
-    double size = 0;
-    for (const std::int32_t h : around[at(n)]) {
-        size += distance(points[at(hexas[at(h)][0])], points[at(hexas[at(h)][6])]);
-    }
-    double step = 0.1 * size / static_cast<double>(around[at(n)].size());
-    Vec3 last{0, 0, 0};
-    const auto slide = sliding.find(n);
-    const auto attempt = [&](Vec3 d) {
-        const Vec3 old = points[at(n)];
-        points[at(n)] = slide == sliding.end()
-                            ? old + d
-                            : onto(slide->second.first, slide->second.second, old + d);
-        const double now = worst_around(n);
-        if (now > worst + 1e-9) {
-            worst = now;
-            last = d;
-            return true;
-        }
-        points[at(n)] = old;
-        return false;
-    };
-    for (int round = 0; round < 7; ++round) {
-        bool better = norm2(last) > 0 && attempt(last);
-        for (const Vec3 d : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0},
-                             Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
-            better = attempt(step * d) || better;
-        }
-        step *= better ? 1.2 : 0.5;
-    }
+double scaled(Vec3 u, Vec3 v, Vec3 w) {
+    const double l = norm(u) * norm(v) * norm(w);
+    return l > 0 ? determinant(u, v, w) / l : -1;
 }
 
-constexpr double poor = 0.04; // what also points on faces move for
-// So many points may be moved in all, and so many of these along faces, which take longest.
-constexpr int most_moves = 30'000;
-constexpr int most_slides = 1000;
-
-// Moves the free points of the worst hexahedra; the worst value left.
-double Cells::improve(double good, int sweeps, const Progress &progress) {
+// Of what has sound corners the inside may still fold: least at the middles of the edges and faces
+// and in the centre.
+double worst_inside(const std::array<Vec3, 8> &p) {
+    const auto edge = [&](std::size_t a, std::size_t b) { return p[b] - p[a]; };
+    const std::array<std::array<Vec3, 4>, 3> d{{{edge(0, 1), edge(3, 2), edge(4, 5), edge(7, 6)},
+                                                {edge(0, 3), edge(1, 2), edge(4, 7), edge(5, 6)},
+                                                {edge(0, 4), edge(1, 5), edge(3, 7), edge(2, 6)}}};
+    // Between the four parallel edges, at fractions 0, 1/2, 1 along the two other directions.
+    const auto between = [](const std::array<Vec3, 4> &four, int i, int j) {
+        const double x = 0.5 * i;
+        const double y = 0.5 * j;
+        return (1 - x) * (1 - y) * four[0] + x * (1 - y) * four[1] + (1 - x) * y * four[2] +
+               x * y * four[3];
+    };
     double least = 1;
-    int moves = 0;
-    int slides = 0;
-    for (int sweep = 0; sweep <= sweeps; ++sweep) {
-        poll(progress, 0.5 + 0.5 * sweep / (sweeps + 1));
-        std::vector<std::pair<double, std::int32_t>> bad;
-        least = 1;
-        for (std::size_t h = 0; h < hexas.size(); ++h) {
-            const double q = worst(static_cast<std::int32_t>(h));
-            least = std::min(least, q);
-            if (q < good) {
-                bad.emplace_back(q, static_cast<std::int32_t>(h));
-            }
-        }
-        if (bad.empty() || sweep == sweeps || moves >= most_moves) {
-            break;
-        }
-        std::sort(bad.begin(), bad.end());
-        std::vector<char> seen(points.size(), 0);
-        for (const auto &[q, h] : bad) {
-            for (const std::int32_t n : hexas[at(h)]) {
-                const bool slide =
-                    q < poor && 2 * sweep >= sweeps && slides < most_slides && sliding.contains(n);
-                if ((free[at(n)] != 0 || slide) && seen[at(n)] == 0 && moves < most_moves) {
-                    seen[at(n)] = 1;
-                    ++moves;
-                    slides += slide ? 1 : 0;
-                    if (moves % 64 == 0) {
-                        poll(progress, 0.5 + 0.5 * sweep / (sweeps + 1));
-                    }
-                    double now = worst_around(n);
-                    move(n, now);
+    for (int k = 0; k < 3; ++k) {
+        for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 3; ++i) {
+                if (i == 1 || j == 1 || k == 1) {
+                    least = std::min(least, scaled(between(d[0], j, k), between(d[1], i, k),
+                                                   between(d[2], i, j)));
                 }
             }
         }
     }
     return least;
+}
+
+std::array<Vec3, 8> places(const Layout &layout, const Layout::Hexa &hexa) {
+    std::array<Vec3, 8> p{};
+    for (std::size_t i = 0; i < 8; ++i) {
+        p[i] = layout.points[at(hexa.points[i])];
+    }
+    return p;
+}
+
+double corners_of(const Layout &layout, const Layout::Hexa &hexa) {
+    const auto p = places(layout, hexa);
+    return hexahedron::scaled_jacobian(p.data());
+}
+
+double worst_of(const Layout &layout, const Layout::Hexa &hexa) {
+    constexpr double doubtful = 0.15; // at the corners
+    const double least = corners_of(layout, hexa);
+    return least < doubtful ? std::min(least, worst_inside(places(layout, hexa))) : least;
+}
+
+constexpr double sound = 1e-3;
+
+// Moves points round the hexahedra below `bad`. That looks at their corners only: where it folds
+// the inside of a sound one, its points go back (strict), and so on round them.
+void raise(const CadShape &shape, Layout &layout, std::size_t first, double bad, double good,
+           bool strict, const Progress &progress) {
+    const std::vector<Vec3> before = layout.points;
+    std::vector<std::int32_t> nodes;
+    std::vector<double> least; // that each hexahedron must keep
+    for (std::size_t h = first; h < layout.hexas.size(); ++h) {
+        nodes.insert(nodes.end(), layout.hexas[h].points.begin(), layout.hexas[h].points.end());
+        least.push_back(std::min(sound, worst_of(layout, layout.hexas[h])));
+    }
+    improve_mesh(shape, layout.points, layout.on, nodes, {}, {}, bad, {.good = good}, progress);
+    for (bool changed = strict; changed;) {
+        changed = false;
+        for (std::size_t h = first; h < layout.hexas.size(); ++h) {
+            if (worst_of(layout, layout.hexas[h]) >= least[h - first]) {
+                continue;
+            }
+            for (const std::int32_t n : layout.hexas[h].points) {
+                changed = changed || !(layout.points[at(n)] == before[at(n)]);
+                layout.points[at(n)] = before[at(n)];
+            }
+        }
+    }
+}
+
+// A point of a tetrahedron's hexahedra where its faces are plane and its edges straight.
+struct StraightPoint {
+    std::int32_t number;
+    Vec3 place;
+    bool leaves; // the CAD
+};
+
+// Hexahedra of straight tetrahedra are positive. Where some are not, all points of theirs go where
+// the straight tetrahedron has them, and so on where that spoils a neighbour. The number of points
+// that have left a face. parts: the hexahedra of each tetrahedron.
+int straighten(Layout &layout, const std::vector<std::vector<std::int32_t>> &parts,
+               const std::function<std::vector<StraightPoint>(std::size_t)> &straight) {
+    std::vector<std::vector<std::int32_t>> tets_at(layout.points.size());
+    for (std::size_t t = 0; t < parts.size(); ++t) {
+        for (const std::int32_t h : parts[t]) {
+            for (const std::int32_t n : layout.hexas[at(h)].points) {
+                auto &list = tets_at[at(n)];
+                if (list.empty() || list.back() != static_cast<std::int32_t>(t)) {
+                    list.push_back(static_cast<std::int32_t>(t));
+                }
+            }
+        }
+    }
+    std::vector<char> done(parts.size(), 0);
+    std::vector<std::int32_t> work(parts.size());
+    std::iota(work.begin(), work.end(), 0);
+    int off = 0;
+    while (!work.empty()) {
+        std::set<std::int32_t> next;
+        for (const std::int32_t t : work) {
+            const bool bad = std::any_of(parts[at(t)].begin(), parts[at(t)].end(), [&](auto h) {
+                return worst_of(layout, layout.hexas[at(h)]) < sound;
+            });
+            if (!bad || done[at(t)] != 0) {
+                continue;
+            }
+            done[at(t)] = 1;
+            for (const auto &[n, place, leaves] : straight(at(t))) {
+                if (layout.points[at(n)] == place) {
+                    continue;
+                }
+                layout.points[at(n)] = place;
+                next.insert(tets_at[at(n)].begin(), tets_at[at(n)].end());
+                if (leaves) {
+                    layout.on[at(n)] = {3, layout.hexas[at(parts[at(t)][0])].solid};
+                    ++off;
+                }
+            }
+        }
+        work.assign(next.begin(), next.end());
+    }
+    return off;
 }
 
 } // namespace
@@ -198,12 +166,7 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     mesh.smooth(6);
     poll(progress, 0.2);
 
-    Cells cells;
-    cells.onto = [&](int face, Uv guess, Vec3 p) {
-        return mesh.face(face).at(mesh.face(face).nearest(p, guess));
-    };
     // Points of the layout: corners, middles of edges, of faces, of tetrahedra.
-    const auto first = static_cast<std::int32_t>(layout.points.size());
     std::vector<std::int32_t> number(mesh.points.size(), -1);
     const auto corner = [&](std::int32_t n) {
         if (number[at(n)] < 0) {
@@ -223,9 +186,6 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
                 m.on.index = solid;
             }
             known->second = layout.add_point(m.p, m.on);
-            if (m.on.dimension == 2) {
-                cells.sliding[known->second] = {m.on.index, m.uv};
-            }
         }
         return known->second;
     };
@@ -239,9 +199,6 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
                                         layout.points[at(middle(c[2], c[0], solid))]};
             const auto f = mesh.centre(c, m, solid);
             known->second = layout.add_point(f.p, f.on);
-            if (f.on.dimension == 2) {
-                cells.sliding[known->second] = {f.on.index, f.uv};
-            }
         }
         return known->second;
     };
@@ -301,61 +258,25 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
         }
     }
 
-    cells.points = layout.points;
-    cells.free.assign(layout.points.size(), 0);
-    for (std::size_t n = at(first); n < layout.points.size(); ++n) {
-        cells.free[n] = layout.on[n].dimension == 3 ? 1 : 0;
-    }
-    cells.around.resize(layout.points.size());
-    for (std::size_t h = first_hexa; h < layout.hexas.size(); ++h) {
-        for (const std::int32_t n : layout.hexas[h].points) {
-            cells.around[at(n)].push_back(static_cast<std::int32_t>(cells.hexas.size()));
-        }
-        cells.hexas.push_back(layout.hexas[h].points);
-    }
-    // Edges on the skin, as quadratics through the layout's three points.
-    cells.bent.assign(cells.hexas.size(), -1);
-    for (std::size_t h = 0; h < cells.hexas.size(); ++h) {
-        const auto &p = mesh.tets[at(tet_of[h])].p;
-        const std::size_t v = h % 4;
-        const Vec3 o = mesh.points[at(p[v])];
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::int32_t m = middle(p[v], p[others[v][i]], 0);
-            const Vec3 b = mesh.points[at(p[others[v][i]])];
-            const Vec3 middle_point = cells.points[at(m)];
-            if (layout.on[at(m)].dimension == 3 ||
-                norm(middle_point - 0.5 * (o + b)) < 1e-4 * norm(b - o)) {
-                continue;
-            }
-            if (cells.bent[h] < 0) {
-                cells.bent[h] = static_cast<std::int32_t>(cells.ends.size());
-                cells.ends.emplace_back();
-                cells.ends.back().fill(-1);
-            }
-            auto &own = cells.ends.back();
-            // The hexahedron's corners beside its first are 1, 3 and 4.
-            const std::size_t there = next[0][i];
-            own[i] = corner(p[others[v][i]]);
-            for (std::size_t k = 0; k < 3; ++k) {
-                if (next[there][k] == 0) {
-                    own[3 * there + k] = own[i];
-                }
-            }
-        }
-    }
-    constexpr double good = 0.12;
-    constexpr int sweeps = 10;
-    TetHexas result;
-    result.worst = cells.improve(good, sweeps, progress);
-    layout.points = cells.points;
+    const std::vector<Vec3> start = layout.points;
+    const auto better = [&](double bad, double good, double from, double to) {
+        const Progress listener =
+            progress ? Progress([&](double f) { return progress(from + f * (to - from)); })
+                     : Progress();
+        raise(shape, layout, first_hexa, bad, good, true, listener);
+    };
+    // The few that are inside out first: they need many sweeps over few points.
+    better(0.005, 0.1, 0.5, 0.6);
+    better(0.1, 0.2, 0.6, 0.8);
 
     // A finer skin helps where the CAD bends a tetrahedron, and a flat one anywhere is still sound.
     constexpr double folded = 0.03;
     constexpr double flat = 1e-5;
     constexpr double bent = 1e-3;
     std::int32_t last = -1;
-    for (std::size_t h = 0; h < cells.hexas.size(); ++h) {
-        const double quality = cells.worst(static_cast<std::int32_t>(h));
+    TetHexas result;
+    for (std::size_t h = 0; h < tet_of.size(); ++h) {
+        const double quality = worst_of(layout, layout.hexas[first_hexa + h]);
         if (quality > folded || tet_of[h] == last) {
             continue;
         }
@@ -370,7 +291,7 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
             for (std::size_t j = i + 1; j < 4; ++j) {
                 const Vec3 a = mesh.points[at(p[i])];
                 const Vec3 b = mesh.points[at(p[j])];
-                const Vec3 m = layout.points[at(middle(p[i], p[j], 0))];
+                const Vec3 m = start[at(middle(p[i], p[j], 0))];
                 longest = std::max(longest, distance(a, b));
                 if (layout.on[at(middle(p[i], p[j], 0))].dimension < 3) {
                     bend = std::max(bend, distance(m, 0.5 * (a + b)) / distance(a, b));
@@ -382,6 +303,69 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
             result.folded.push_back({place, longest, 0.5 * longest});
         }
     }
+    // What is left becomes straight.
+    const double near = 1e-10 * shape.diagonal();
+    std::vector<std::vector<std::int32_t>> parts(mesh.tets.size());
+    for (std::size_t h = 0; h < tet_of.size(); ++h) {
+        parts[at(tet_of[h])].push_back(static_cast<std::int32_t>(first_hexa + h));
+    }
+    const auto straight = [&](std::size_t t) {
+        const auto &[p, solid] = mesh.tets[t];
+        std::vector<StraightPoint> list;
+        // Curves along the CAD's edges stay.
+        const auto add = [&](std::int32_t n, Vec3 place) {
+            const Vec3 was = start[at(n)];
+            const int dimension = layout.on[at(n)].dimension;
+            const bool same = dimension < 2 || (dimension == 2 && distance(place, was) < near);
+            list.push_back({n, same ? was : place, !same && dimension == 2});
+        };
+        Vec3 all{0, 0, 0};
+        for (std::size_t i = 0; i < 4; ++i) {
+            add(corner(p[i]), mesh.points[at(p[i])]);
+            all += 0.25 * mesh.points[at(p[i])];
+            const auto &[j, k, l] = others[i];
+            for (const std::size_t other : others[i]) {
+                if (other > i) {
+                    add(middle(p[i], p[other], solid),
+                        0.5 * (mesh.points[at(p[i])] + mesh.points[at(p[other])]));
+                }
+            }
+            add(centre({p[j], p[k], p[l]}, solid),
+                (1.0 / 3) *
+                    (mesh.points[at(p[j])] + mesh.points[at(p[k])] + mesh.points[at(p[l])]));
+        }
+        add(layout.hexas[at(parts[t][0])].points[6], all);
+        return list;
+    };
+    const auto measure = [&](int off) {
+        result.worst = result.inside = 1;
+        for (std::size_t h = first_hexa; h < layout.hexas.size(); ++h) {
+            result.worst = std::min(result.worst, corners_of(layout, layout.hexas[h]));
+            result.inside = std::min(result.inside, worst_of(layout, layout.hexas[h]));
+        }
+        result.off_cad = off;
+        return std::tuple(result.worst >= sound, result.inside > 0, -off, result.worst);
+    };
+    auto best = measure(0);
+    Layout found = layout;
+    const int off = straighten(layout, parts, straight);
+    // What has left the CAD is free now; the inside of hexahedra counts less than their corners.
+    for (const bool strict : {true, false}) {
+        if (off == 0 && std::get<0>(best) && std::get<1>(best)) {
+            break;
+        }
+        raise(shape, layout, first_hexa, 0.02, 0.1, strict, progress);
+        const auto now = measure(off);
+        if (now > best) {
+            best = now;
+            found = layout;
+        }
+        if (std::get<0>(best) && std::get<1>(best)) {
+            break;
+        }
+    }
+    layout = std::move(found);
+    measure(-std::get<2>(best));
     return result;
 }
 

@@ -22,15 +22,18 @@ struct SolidTets {
 };
 
 struct TetHexas {
-    double worst = 0;                       // scaled Jacobian at the corners of the hexahedra
+    double worst = 1;                       // scaled Jacobian at the corners of the hexahedra
+    double inside = 1;                      // the same, at the middles of edges and faces too
+    int off_cad = 0;                        // points that had to leave their CAD face
     std::vector<SkinOptions::Limit> folded; // where the skin must be finer, and how fine
 };
 
 // Adds four hexahedra a tetrahedron to the layout: points at the middles of edges, the middles of
 // faces and of the tetrahedra, those of the skin on the CAD. Tetrahedra that would fold, with two
-// faces in one smooth face or two edges in one smooth edge, are split before; inner points move to
-// where the worst corner around them is best. The skin's edges must not be laid out in the layout.
-// Raises Cancelled.
+// faces in one smooth face or two edges in one smooth edge, are split before; points move to where
+// the worst corner around them is better. Where hexahedra are still inside out the tetrahedron
+// becomes straight but for the CAD's edges, and points leave the CAD's faces (on: the solid). The
+// skin's edges must not be laid out in the layout. Raises Cancelled.
 TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const SolidTets> solids,
                        Layout &layout, const Progress &progress = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "nmgs_tet/result.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 

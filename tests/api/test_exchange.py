@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes in the files of other programs: read back here, by meshio, by VTK and by Gmsh."""
 
+import sys
 import tracemalloc
 
 import numpy as np
@@ -154,6 +155,8 @@ def test_gmsh_reads_it(gmsh, format, order, tmp_path):
 def test_meshio_reads_it(format, tmp_path):
     import meshio
 
+    if format == "vtu" and sys.version_info >= (3, 13):
+        pytest.skip("meshio's reader of .vtu fails with Python 3.13; VTK's is asked below")
     path = tmp_path / f"mesh.{'msh' if format == 'msh22' else format}"
     mesh = unit("hexahedron20") if format != "su2" else unit("hexahedron")
     nmgs.write(path, mesh, format=format)

@@ -79,6 +79,8 @@ def vtk_quality(mesh: nmgs.Mesh, name: str, measure: str) -> np.ndarray:
     quality = vtk.vtkMeshQuality()
     quality.SetInputData(grid)
     setter = f"Set{VTK_NAMES[name]}QualityMeasureTo{measure}"
+    if not hasattr(quality, setter):
+        setter = setter.rstrip("s")  # VTK 9.2 took the plural off some names
     getattr(quality, setter)()
     quality.Update()
     return vtk_to_numpy(quality.GetOutput().GetCellData().GetArray("Quality"))

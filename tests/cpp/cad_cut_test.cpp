@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cut.h"
+#include "nmgs_cad/cut_list.h"
 #include "nmgs_cad/split.h"
 
 #include "cad_layout_checks.h"
 
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -14,9 +16,11 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
@@ -138,6 +142,29 @@ TEST(Cut, ObstaclesAreTheConcaveEdges) {
     EXPECT_TRUE(propose_cuts(make_shape(box(0, 0, 0, 1, 2, 3)), 1).empty());
 }
 
+TEST(Cut, FiguresAreThoseOfTheProposals) {
+    const CadShape shape =
+        make_shape(cut(box(-2, -2, 0, 4, 4, 1), cylinder(gp_Pnt(0, 0, -1), gp_Dir(0, 0, 1), 1, 3)));
+    const auto cuts = propose_cuts(shape, 1);
+    const auto figures = cut_list(shape, 1);
+    ASSERT_EQ(figures.size(), cuts.size());
+    for (std::size_t n = 0; n < cuts.size(); ++n) {
+        EXPECT_EQ(figures[n].name, cuts[n].name);
+        EXPECT_EQ(figures[n].radius > 0, cuts[n].cylinder);
+        EXPECT_NEAR(norm(figures[n].direction), 1, 1e-12);
+        // On the axis or plane, and nearest to the middle of the box, (0, 0, 1/2).
+        const gp_Vec apart(cuts[n].place.Location(),
+                           gp_Pnt(figures[n].origin.x, figures[n].origin.y, figures[n].origin.z));
+        const gp_Vec along(cuts[n].place.Direction());
+        EXPECT_NEAR(cuts[n].cylinder ? apart.Crossed(along).Magnitude() : apart.Dot(along), 0,
+                    1e-9);
+        const nmgs::Vec3 rest = figures[n].origin - nmgs::Vec3{0, 0, 0.5};
+        EXPECT_NEAR(cuts[n].cylinder ? dot(rest, figures[n].direction)
+                                     : norm(cross(rest, figures[n].direction)),
+                    0, 1e-6);
+    }
+}
+
 TEST(Cut, FillsStepsBossesAndHoles) {
     expect_filled(cut(box(0, 0, 0, 3, 3, 3), box(1, -1, 1, 9, 9, 9)), 1e-9);
     expect_filled(cylinder(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), 1, 2), 1e-2);
@@ -174,6 +201,68 @@ TEST(Cut, LeavesALayoutThatNeighboursHaveBegun) {
     EXPECT_EQ(refusal.blockers, std::vector<std::string>{"Edge1"});
     EXPECT_EQ(layout.points.size(), points);
     EXPECT_TRUE(layout.hexas.empty());
+}
+
+// As thickening a shell makes them: the shell is inside out, and the solid turned.
+TEST(Cut, SolidsThatAreTurned) {
+    TopoDS_Shape bracket = fused(box(0, 0, 0, 6, 4, 1), box(0, 0, 1, 1, 4, 4));
+    bracket = cut(bracket, cylinder(gp_Pnt(4, 2, -1), gp_Dir(0, 0, 1), 0.8, 3));
+    const BRep_Builder builder;
+    TopoDS_Solid turned;
+    builder.MakeSolid(turned);
+    builder.Add(turned, TopExp_Explorer(bracket, TopAbs_SHELL).Current().Reversed());
+    turned.Reverse();
+    ASSERT_GT(volume_of(turned), 0);
+    expect_filled(turned, 1e-2);
+}
+
+// Faces inside a solid become faces between pieces.
+TEST(Cut, FacesInsideSolids) {
+    BRepAlgoAPI_BuilderAlgo fuse;
+    TopTools_ListOfShape arguments;
+    arguments.Append(box(0, 0, 0, 2, 2, 2));
+    arguments.Append(
+        BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.7, 1, 1), gp_Dir(1, 0, 0)), -0.4, 0.5, -0.3, 0.6)
+            .Face());
+    fuse.SetArguments(arguments);
+    fuse.Build();
+    const CadShape shape = make_shape(fuse.Shape());
+    ASSERT_EQ(shape.solids.Extent(), 1);
+    ASSERT_EQ(shape.faces.Extent(), 7);
+    EXPECT_EQ(obstacles(shape, 1).size(), 4U);
+    Layout layout(shape);
+    Refusal refusal;
+    ASSERT_TRUE(fill_cut(shape, 1, layout, {}, refusal, {})) << refusal.reason;
+    std::size_t inner = 0;
+    double area = 0;
+    for (const auto &quad : layout.quads) {
+        const auto p = [&](std::size_t i) {
+            return layout.points[static_cast<std::size_t>(quad.points[i])];
+        };
+        if (std::abs(p(0).x - 0.7) < 1e-9 && std::abs(p(2).x - 0.7) < 1e-9) {
+            ++inner;
+            area += 0.5 * nmgs::norm(nmgs::cross(p(2) - p(0), p(3) - p(1)));
+        }
+    }
+    EXPECT_GT(inner, 0U);
+    EXPECT_NEAR(area, 0.9 * 0.9, 1e-9);
+}
+
+TEST(Cut, StopsWhenItsWorkIsDone) {
+    TopoDS_Shape bracket = fused(box(0, 0, 0, 6, 4, 1), box(0, 0, 1, 1, 4, 4));
+    bracket = cut(bracket, cylinder(gp_Pnt(4, 2, -1), gp_Dir(0, 0, 1), 0.8, 3));
+    const CadShape shape = make_shape(bracket);
+    Layout layout(shape);
+    Refusal refusal;
+    int work = 0;
+    LayoutOptions options;
+    options.cut_work = &work;
+    EXPECT_FALSE(fill_cut(shape, 1, layout, options, refusal, {}));
+    EXPECT_FALSE(refusal.reason.empty());
+    EXPECT_TRUE(layout.hexas.empty());
+    work = 5000;
+    EXPECT_TRUE(fill_cut(shape, 1, layout, options, refusal, {})) << refusal.reason;
+    EXPECT_LT(work, 5000);
 }
 
 TEST(Cut, CancelStopsTheSearch) {

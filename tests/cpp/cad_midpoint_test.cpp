@@ -104,13 +104,46 @@ TEST(MidPoint, AnEighthOfABallIsFilledOntoItsSphere) {
     EXPECT_EQ(filled, 1);
 }
 
-TEST(MidPoint, RefusesWhereFourEdgesMeetAndNamesTheVertex) {
-    const CadShape shape = nmgs::cad::make_shape(polyhedron(
+TopoDS_Shape octahedron() {
+    return polyhedron(
         {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-        {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}));
+        {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
+}
+
+TEST(MidPoint, WhereFourEdgesMeetATetrahedronAFaceAndItsMiddle) {
+    const CadShape shape = nmgs::cad::make_shape(octahedron());
     Layout layout(shape);
     Refusal refusal;
+    ASSERT_TRUE(fill(shape, layout, refusal)) << refusal.reason;
+    nmgs::cad::expect_sound(shape, layout, 1e-9);
+    EXPECT_EQ(layout.hexas.size(), 8U * 4U);
+    const auto quality = nmgs::cad::layout_quality(shape, layout);
+    EXPECT_NEAR(quality.volume, 4.0 / 3, 1e-9);
+    EXPECT_GT(quality.worst, 0.4);
+}
+
+TEST(MidPoint, APyramidsBaseIsATriangleASide) {
+    const CadShape shape = nmgs::cad::make_shape(
+        polyhedron({{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 0, 1.5}},
+                   {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
+    Layout layout(shape);
+    Refusal refusal;
+    ASSERT_TRUE(fill(shape, layout, refusal)) << refusal.reason;
+    nmgs::cad::expect_sound(shape, layout, 1e-9);
+    EXPECT_EQ(layout.hexas.size(), (4U + 4U) * 4U);
+    const auto quality = nmgs::cad::layout_quality(shape, layout);
+    EXPECT_NEAR(quality.volume, 2.0, 1e-9);
+    EXPECT_GT(quality.worst, 0.2);
+}
+
+TEST(MidPoint, RefusesWhereFourEdgesMeetBesideANeighbourAndNamesTheVertex) {
+    const CadShape shape = nmgs::cad::make_shape(octahedron());
+    Layout layout(shape);
+    constexpr double thirds[] = {1.0 / 3, 2.0 / 3};
+    layout.divide_edge(shape, 1, thirds);
+    Refusal refusal;
     EXPECT_FALSE(fill(shape, layout, refusal));
+    EXPECT_TRUE(layout.hexas.empty());
     ASSERT_EQ(refusal.blockers.size(), 1U);
     EXPECT_EQ(refusal.blockers[0].substr(0, 6), "Vertex");
     EXPECT_NE(refusal.reason.find("4 edges"), std::string::npos);

@@ -3,7 +3,10 @@
 
 #include "nmgs/plc/check.h"
 #include "nmgs/support/error.h"
+#include "nmgs_cad/skin_mesh.h"
+#include "nmgs_cad/skin_start.h"
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -156,6 +159,93 @@ TEST(Skin, StopsWhenAsked) {
     const CadShape shape = nmgs::cad::make_shape(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape());
     EXPECT_THROW(nmgs::cad::make_skin(shape, all_faces(shape), {}, [](double) { return false; }),
                  nmgs::Cancelled);
+}
+
+// A slice of a cylinder: its caps are segments of a circle, a tenth as high as the circle is wide.
+TopoDS_Shape slice() {
+    return BRepAlgoAPI_Common(BRepPrimAPI_MakeCylinder(10.0, 4.0).Shape(),
+                              BRepPrimAPI_MakeBox(gp_Pnt(9, -10, 0), 10.0, 20.0, 4.0).Shape());
+}
+
+TEST(SkinBuilder, FollowsNarrowFacesByTheirArea) {
+    const CadShape shape = nmgs::cad::make_shape(slice());
+    const Skin skin = nmgs::cad::make_skin(shape, all_faces(shape));
+    for (int n = 1; n <= shape.faces.Extent(); ++n) {
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(shape.face(n), properties);
+        Skin own = skin;
+        own.triangles.clear();
+        for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
+            if (skin.faces[t] == n) {
+                own.triangles.push_back(skin.triangles[t]);
+            }
+        }
+        EXPECT_NEAR(area(own), properties.Mass(), 0.08 * properties.Mass()) << n;
+    }
+}
+
+TEST(SkinBuilder, IsFinerWhereItIsToldToBe) {
+    const CadShape shape = nmgs::cad::make_shape(BRepPrimAPI_MakeBox(10.0, 6.0, 4.0).Shape());
+    nmgs::cad::SkinBuilder builder(shape, all_faces(shape), {});
+    const Skin before = builder.skin();
+    const std::vector<nmgs::cad::SkinOptions::Limit> limits{{{0, 0, 0}, 1.0, 0.3}};
+    builder.refine(limits);
+    const Skin after = builder.skin();
+    EXPECT_GT(after.triangles.size(), before.triangles.size());
+    EXPECT_NEAR(area(after), area(before), 1e-9 * area(before));
+    int near = 0;
+    for (const auto &t : after.triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 a = after.points[at(t[i])];
+            const Vec3 b = after.points[at(t[(i + 1) % 3])];
+            if (norm(a) < 0.5 && norm(b) < 0.5) {
+                EXPECT_LT(distance(a, b), 1.5 * 0.3); // an edge is split from 1.4 times its length
+                ++near;
+            }
+        }
+    }
+    EXPECT_GT(near, 0);
+}
+
+TEST(SkinMesh, DropsTrianglesOnALine) {
+    const CadShape shape = nmgs::cad::make_shape(BRepPrimAPI_MakeBox(10.0, 6.0, 4.0).Shape());
+    const nmgs::cad::SkinOptions options;
+    nmgs::cad::SkinMesh mesh(shape, options);
+    nmgs::cad::start_skin(shape, all_faces(shape), options, mesh, {});
+    mesh.find_sizes({});
+    mesh.pass({}, 0, 1);
+    const auto height = [&](const nmgs::cad::SkinMesh::Triangle &t) {
+        const Vec3 a = mesh.points[at(t.p[0])].p;
+        const Vec3 b = mesh.points[at(t.p[1])].p;
+        const Vec3 c = mesh.points[at(t.p[2])].p;
+        const double most = std::max({distance(a, b), distance(b, c), distance(c, a)});
+        return norm(cross(b - a, c - a)) / (most * most);
+    };
+    // A point of a face goes onto a chord of the CAD's edge.
+    bool any = false;
+    for (std::size_t t = 0; t < mesh.triangles.size() && !any; ++t) {
+        const auto p = mesh.triangles[t].p;
+        for (std::size_t i = 0; i < 3 && mesh.triangles[t].face != 0; ++i) {
+            auto &apex = mesh.points[at(p[(i + 2) % 3])];
+            if (mesh.segment(p[i], p[(i + 1) % 3]) != 0 && apex.on.dimension == 2) {
+                apex.p = 0.5 * (mesh.points[at(p[i])].p + mesh.points[at(p[(i + 1) % 3])].p);
+                apex.uv = mesh.face(apex.on.index).nearest(apex.p, apex.uv);
+                any = true;
+                break;
+            }
+        }
+    }
+    ASSERT_TRUE(any);
+    mesh.drop_flat();
+    double sum = 0;
+    for (const auto &t : mesh.triangles) {
+        if (t.face != 0) {
+            EXPECT_GT(height(t), 0.01);
+            const Vec3 a = mesh.points[at(t.p[0])].p;
+            sum += 0.5 * norm(cross(mesh.points[at(t.p[1])].p - a, mesh.points[at(t.p[2])].p - a));
+        }
+    }
+    EXPECT_NEAR(sum, 2 * (60 + 40 + 24), 1e-9);
 }
 
 } // namespace

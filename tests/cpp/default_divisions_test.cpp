@@ -65,4 +65,41 @@ TEST(DefaultDivisions, KeepTheVolume) {
     EXPECT_LT(missing / (1.0 / 15), 0.0061);
 }
 
+// A lens beside a large box: by the volume of both it could do with one element.
+TEST(DefaultDivisions, KeepTheVolumeOfEachPart) {
+    BlockModel model;
+    for (const auto &at : hexa20::natural) {
+        const double high = 0.02 * (2 - at[0] * at[0]);
+        model.nodes.push_back({at[0], 0.2 * at[1], at[2] > 0 ? high : at[2] == 0 ? high / 2 : 0});
+    }
+    for (const auto &at : hexa20::natural) {
+        model.nodes.push_back({10 + at[0], at[1], at[2]});
+    }
+    model.divisions.assign(2, {1, 1, 1});
+    DefaultDivisions options;
+    EXPECT_EQ(default_divisions(model, find_topology(model), 10, options)[0][0], 1);
+    options.part = {0, 1};
+    const auto g = default_divisions(model, find_topology(model), 10, options);
+    EXPECT_LT(std::pow(2.0 / g[0][0], 3) * g[0][0] * 0.04 / 12 / (1.0 / 15), 0.0061);
+    EXPECT_EQ(g[1], (std::array<std::int32_t, 3>{1, 1, 1}));
+    options.part = {0};
+    EXPECT_THROW(default_divisions(model, find_topology(model), 10, options), ArgumentError);
+    options.part = {0, -1};
+    EXPECT_THROW(default_divisions(model, find_topology(model), 10, options), ArgumentError);
+    options.part = {0, 1};
+    options.structured = {1};
+    EXPECT_THROW(default_divisions(model, find_topology(model), 10, options), ArgumentError);
+}
+
+// Structured blocks follow the curvature whatever their number.
+TEST(DefaultDivisions, ManyUnstructuredBlocksAreCoarser) {
+    const BlockModel model = sector(pi / 3);
+    DefaultDivisions options;
+    options.many_blocks = 1;
+    options.volume_error = 1;
+    EXPECT_EQ(divide(model, 10, options)[1], 2);
+    options.structured = {1};
+    EXPECT_EQ(divide(model, 10, options)[1], 6);
+}
+
 } // namespace

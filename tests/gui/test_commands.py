@@ -131,7 +131,12 @@ def test_what_cannot_be_done_is_grey(document, box):
     pick(box, "Edge1")
     assert active() == always
     pick(box, "Face1")
-    assert active() - always == {"NMGS_FitPatches", "NMGS_FitBlocks", "NMGS_TetGenMesh"}
+    assert active() - always == {
+        "NMGS_FitPatches",
+        "NMGS_FitBlocks",
+        "NMGS_CutSolids",
+        "NMGS_TetGenMesh",
+    }
     run("NMGS_FitPatches")
     # Patches alone have no CAD faces of their own.
     of_any = {"NMGS_TetGenMesh", "NMGS_PlotOptions", "NMGS_Export"}
@@ -172,7 +177,12 @@ def test_context_menu(document, box):
     FreeCADGui.activeWorkbench().ContextMenu("View")
     from freecad.NMGSWorkbench.commands import names_for_context_menu
 
-    assert names_for_context_menu() == ["NMGS_FitPatches", "NMGS_FitBlocks", "NMGS_TetGenMesh"]
+    assert names_for_context_menu() == [
+        "NMGS_FitPatches",
+        "NMGS_FitBlocks",
+        "NMGS_CutSolids",
+        "NMGS_TetGenMesh",
+    ]
 
 
 def test_toolbar_and_menu():

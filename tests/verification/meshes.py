@@ -40,7 +40,8 @@ def gmsh(shape, size):
         part = document.addObject("Part::Feature", "Part")
         part.Shape = shape
         obj = ObjectsFem.makeMeshGmsh(document, "Mesh")
-        obj.Part = part
+        # "Part" became "Shape" in FreeCAD 1.0.
+        setattr(obj, "Part" if hasattr(obj, "Part") else "Shape", part)
         obj.ElementOrder = "2nd"
         obj.CharacteristicLengthMax = f"{size} mm"
         document.recompute()

@@ -5,6 +5,7 @@
 #include "nmgs/blocking/divisions.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
+#include "nmgs/support/at.h"
 #include "nmgs/support/error.h"
 
 #include <algorithm>
@@ -169,20 +170,50 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     if (!(size > 0) || !std::isfinite(size)) {
         throw ArgumentError("size: expected a positive length, got " + std::to_string(size));
     }
+    const std::vector<std::int32_t> part =
+        options.part.empty() ? std::vector<std::int32_t>(model.size(), 0) : options.part;
+    const auto parts = part.empty() ? 0 : at(*std::max_element(part.begin(), part.end())) + 1;
+    if (part.size() != model.size() ||
+        std::any_of(part.begin(), part.end(), [](auto p) { return p < 0; })) {
+        throw ArgumentError("part: expected a number from 0 on for each of " +
+                            std::to_string(model.size()) + " blocks");
+    }
+    if (!options.structured.empty() && options.structured.size() < parts) {
+        throw ArgumentError("structured: expected an entry for each of " + std::to_string(parts) +
+                            " parts, got " + std::to_string(options.structured.size()));
+    }
     const Chains chains = find_chains(model, topology);
     Needs needs = needs_of(model, chains, options);
+    const auto n = static_cast<std::size_t>(model.dimension);
     const auto most = static_cast<double>(
         std::max<std::int64_t>(options.most_cells, static_cast<std::int64_t>(model.size())));
-    // Blocks by the thousand are small already. They come from no structured strategy, and a chain
-    // goes through most of them: finer elements would be no better and far too many. Patches come
-    // by the thousand from shapes with many faces, each of which is structured.
-    const bool unstructured = model.dimension == 3 && model.size() >= options.many_blocks;
-    if (unstructured) {
+    // Blocks by the thousand are small already. Patches come by the thousand from shapes with many
+    // faces, each of which is structured.
+    const bool many = model.dimension == 3 && model.size() >= options.many_blocks;
+    if (many) {
         std::fill(needs.length.begin(), needs.length.end(), 0.0);
+    }
+    // A chain goes through most of the blocks that come from no structured strategy: finer elements
+    // would be no better and far too many.
+    std::vector<std::size_t> unstructured;
+    for (std::size_t b = 0; b < model.size(); ++b) {
+        if (options.structured.empty() || options.structured[at(part[b])] == 0) {
+            unstructured.push_back(b);
+        }
+    }
+    if (many && unstructured.size() >= options.many_blocks) {
+        std::vector<char> done(needs.angles.size(), 0);
+        for (const std::size_t b : unstructured) {
+            for (std::size_t d = 0; d < n; ++d) {
+                const std::size_t chain = at(chains.chain[b * n + d]);
+                needs.angles[chain] /= done[chain] == 0 ? options.many_blocks_factor : 1;
+                done[chain] = 1;
+            }
+        }
     }
     const auto within = [&] {
         double length = size;
-        double coarser = unstructured ? options.many_blocks_factor : 1;
+        double coarser = 1;
         Divisions result = divide(model, chains, needs, length, coarser);
         // Longer elements first; these alone cannot help where the curvature asks for more.
         for (int step = 0; cells(result, model.dimension) > most && step < 200; ++step) {
@@ -195,37 +226,42 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     Divisions result = within();
     constexpr int rounds = 4;
     for (int round = 0; round < rounds && model.dimension == 3; ++round) {
-        Volumes all;
+        std::vector<Volumes> all(parts);
         std::vector<double> off(model.size(), 0);
+        std::vector<double> worst(parts, 0);
         for (std::size_t b = 0; b < model.size(); ++b) {
             const Volumes v = volumes(model, b, result[b]);
-            all.linear += v.linear;
-            all.exact += v.exact;
+            all[at(part[b])].linear += v.linear;
+            all[at(part[b])].exact += v.exact;
             off[b] = std::abs(v.linear - v.exact);
-        }
-        const double error = std::abs(all.linear - all.exact) / std::abs(all.exact);
-        if (!(error > options.volume_error)) {
-            break;
+            worst[at(part[b])] = std::max(worst[at(part[b])], off[b]);
         }
         // Finer along the chains of the blocks that are to blame, where these turn at all.
-        const double worst = *std::max_element(off.begin(), off.end());
-        const double factor = std::clamp(std::sqrt(error / options.volume_error), 1.1, 3.0);
-        std::vector<char> done(needs.angles.size(), 0);
-        for (std::size_t at = 0; at < chains.chain.size(); ++at) {
-            const auto n = static_cast<std::size_t>(model.dimension);
-            const auto chain = static_cast<std::size_t>(chains.chain[at]);
-            if (off[at / n] > 0.1 * worst && needs.angles[chain] > 0.05 && done[chain] == 0) {
-                done[chain] = 1;
-                needs.angles[chain] =
-                    factor *
-                    std::max(needs.angles[chain], static_cast<double>(result[at / n][at % n]));
+        std::vector<double> finer(needs.angles.size(), 1);
+        for (std::size_t i = 0; i < chains.chain.size(); ++i) {
+            const auto p = at(part[i / n]);
+            const double error = std::abs(all[p].linear - all[p].exact) / std::abs(all[p].exact);
+            const auto chain = at(chains.chain[i]);
+            if (error > options.volume_error && off[i / n] > 0.1 * worst[p] &&
+                needs.angles[chain] > 0.05) {
+                finer[chain] = std::max(
+                    finer[chain], std::clamp(std::sqrt(error / options.volume_error), 1.1, 3.0));
             }
         }
-        Divisions finer = within();
-        if (finer == result) {
+        for (std::size_t i = 0; i < chains.chain.size(); ++i) {
+            const auto chain = at(chains.chain[i]);
+            if (finer[chain] > 1) {
+                needs.angles[chain] =
+                    finer[chain] *
+                    std::max(needs.angles[chain], static_cast<double>(result[i / n][i % n]));
+                finer[chain] = 1;
+            }
+        }
+        Divisions next = within();
+        if (next == result) {
             break;
         }
-        result = std::move(finer);
+        result = std::move(next);
     }
     return result;
 }

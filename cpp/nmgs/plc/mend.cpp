@@ -5,6 +5,7 @@
 #include "nmgs/plc/welded.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 

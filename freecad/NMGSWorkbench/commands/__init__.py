@@ -9,6 +9,8 @@ import FreeCADGui
 
 from ..taskpanels import progress
 from .about import About
+from .analysis import Analysis
+from .cut_solids import CutSolids
 from .divisions import Divisions
 from .examples import Examples
 from .export import Export
@@ -28,6 +30,7 @@ from .update import Update
 COMMANDS = {
     "NMGS_FitPatches": FitPatches,
     "NMGS_FitBlocks": FitBlocks,
+    "NMGS_CutSolids": CutSolids,
     "NMGS_ShapeLibrary": ShapeLibrary,
     "NMGS_NodeTable": NodeTable,
     "NMGS_Divisions": Divisions,
@@ -36,6 +39,7 @@ COMMANDS = {
     "NMGS_Update": Update,
     "NMGS_MeshReport": MeshReport,
     "NMGS_PlotOptions": PlotOptions,
+    "NMGS_Analysis": Analysis,
     "NMGS_Picture": Picture,
     "NMGS_Export": Export,
     "NMGS_Examples": Examples,

@@ -12,7 +12,7 @@ Source = List[Tuple[Any, Tuple[str, ...]]]
 
 
 #: Kinds of NMGS objects, by the name of a class of their proxy.
-BLOCKS, MESH, ANY = "Blocking", "MeshObject", "DocumentObject"
+BLOCKS, MESH, CUTS, ANY = "Blocking", "MeshObject", "CutSolids", "DocumentObject"
 _PACKAGE = __package__.rpartition(".")[0]
 
 
@@ -46,7 +46,7 @@ def has_cad(obj: Any, element: str) -> bool:
     """Whether obj has CAD geometry with such elements; the edges of blocks are not meant."""
     if not obj.isDerivedFrom("Part::Feature"):
         return False
-    if is_kind(obj, ANY):
+    if is_kind(obj, ANY) and not is_kind(obj, CUTS):
         return False
     return bool(obj.Shape.countElement(element))
 

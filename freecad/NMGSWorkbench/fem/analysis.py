@@ -3,10 +3,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional, Sequence
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from ..nmgs.errors import Error
-from .picked import sets_by_groups
+from .calculix_process import run_calculix
+from .picked import install
+
+#: A face's name, or the document object that it belongs to and its name.
+Face = Union[str, Tuple[Any, str]]
+#: Called with a job that takes a progress callback and with words for the user; gives its result.
+Runner = Callable[[Callable[[Any], Any], str], Any]
 
 #: FreeCAD's own steel, S235, as its material card has it.
 STEEL = {
@@ -24,45 +30,67 @@ class SolverError(Error):
 def static_analysis(
     part: Any,
     mesh: Any,
-    fixed: Sequence[str],
-    loaded: Sequence[str],
-    force: float,
+    fixed: Sequence[Face],
+    loaded: Sequence[Face],
+    force: float = 0.0,
     direction: Optional[Any] = None,
     material: Optional[Dict[str, str]] = None,
+    pressure: float = 0.0,
+    reverse: bool = False,
 ) -> Any:
-    """A Fem::FemAnalysis: faces of part held, a force in N spread over others, solved on mesh.
+    """A Fem::FemAnalysis: faces held, a force in N spread over others, or a pressure on them in
+    MPa, solved on mesh.
 
-    part: the document object whose faces are named ("Face1"). mesh: a Fem::FemMeshObject on it.
+    part: the document object whose faces are named ("Face1"); faces of others are pairs of object
+    and name. mesh: a Fem::FemMeshObject on it.
     direction: (object, sub-elements) of a straight edge or plane face that gives the force's
-    direction; None for the loaded face's inward normal. material: FreeCAD's material keys, steel
-    if none. Raises ValueError when a face is not of the part.
+    direction; None for the loaded face's inward normal. reverse: the other way round. material:
+    FreeCAD's material keys, steel if none. pressure: above 0 into the part.
+    Raises ValueError when a face is not of its object, or without exactly one of force and
+    pressure.
     """
     import ObjectsFem
 
-    for name in (*fixed, *loaded):
-        number = name[4:]
-        if not name.startswith("Face") or not number.isdigit():
-            raise ValueError(f"faces: expected names like 'Face1', got {name!r}")
-        if not 1 <= int(number) <= len(part.Shape.Faces):
-            raise ValueError(f"faces: {part.Label} has no {name}")
-    document = part.Document
+    held, pressed = _references(part, fixed), _references(part, loaded)
+    if bool(force) == bool(pressure):
+        raise ValueError(f"force, pressure: expected one other than 0, got {force}, {pressure}")
+    document = mesh.Document
     analysis = ObjectsFem.makeAnalysis(document, "Analysis")
     analysis.addObject(_make_solver(document))
     steel = ObjectsFem.makeMaterialSolid(document, "Material")
     steel.Material = dict(material or STEEL)
     analysis.addObject(steel)
     hold = ObjectsFem.makeConstraintFixed(document, "Fixed")
-    hold.References = [(part, name) for name in fixed]
+    hold.References = held
     analysis.addObject(hold)
-    load = ObjectsFem.makeConstraintForce(document, "Force")
-    load.References = [(part, name) for name in loaded]
-    _set_force(load, force)
-    if direction is not None:
-        load.Direction = direction
+    if pressure:
+        load = ObjectsFem.makeConstraintPressure(document, "Pressure")
+        load.References = pressed
+        _set_number(load, "Pressure", pressure, "MPa")
+    else:
+        load = ObjectsFem.makeConstraintForce(document, "Force")
+        load.References = pressed
+        _set_number(load, "Force", force, "N")
+        if direction is not None:
+            load.Direction = direction
+    load.Reversed = reverse
     analysis.addObject(load)
     analysis.addObject(mesh)
     document.recompute()
     return analysis
+
+
+def _references(part: Any, faces: Sequence[Face]) -> List[Tuple[Any, str]]:
+    result = []
+    for face in faces:
+        owner, name = (part, face) if isinstance(face, str) else face
+        number = name[4:]
+        if not name.startswith("Face") or not number.isdigit():
+            raise ValueError(f"faces: expected names like 'Face1', got {name!r}")
+        if not 1 <= int(number) <= len(owner.Shape.Faces):
+            raise ValueError(f"faces: {owner.Label} has no {name}")
+        result.append((owner, name))
+    return result
 
 
 def _make_solver(document: Any) -> Any:
@@ -78,19 +106,21 @@ def _make_solver(document: Any) -> Any:
     return solver
 
 
-def _set_force(load: Any, force: float) -> None:
-    # A float in N on 0.20, a quantity with a unit from 1.0 on.
-    if isinstance(load.Force, float):
-        load.Force = force
-    else:
-        load.Force = f"{force} N"
+def _set_number(load: Any, name: str, value: float, unit: str) -> None:
+    # A float on 0.20, a quantity with a unit from 1.0 on.
+    setattr(load, name, value if isinstance(getattr(load, name), float) else f"{value} {unit}")
 
 
-def solve(analysis: Any, folder: Optional[str] = None) -> Any:
+def _at_once(job: Callable[[Any], Any], text: str) -> Any:
+    return job(None)
+
+
+def solve(analysis: Any, folder: Optional[str] = None, run: Runner = _at_once) -> Any:
     """Runs CalculiX and returns the result object, a Fem::FemResultObject, also in the analysis.
 
-    folder: where the input file and CalculiX's output go; None for a temporary one.
-    Raises SolverError with the words of FEM's checks or of CalculiX.
+    folder: where the input file and CalculiX's output go; None for a temporary one. run: how
+    CalculiX itself is waited for; the document is not touched meanwhile.
+    Raises SolverError with the words of FEM's checks or of CalculiX, Cancelled.
     """
     from femtools import ccxtools
 
@@ -106,14 +136,15 @@ def solve(analysis: Any, folder: Optional[str] = None) -> Any:
     problems = tools.check_prerequisites()
     if problems:
         raise SolverError(problems.strip())
-    with sets_by_groups():
-        tools.write_inp_file()
+    install()
+    tools.write_inp_file()
     if not tools.inp_file_name:
         raise SolverError("FEM could not write CalculiX's input file; see the report view")
     require_loads(tools.inp_file_name)
-    code = tools.ccx_run()
+    binary, path = tools.ccx_binary, tools.inp_file_name
+    code, output = run(lambda progress: run_calculix(binary, path, progress), "CalculiX")
     if code != 0:
-        raise SolverError(f"CalculiX ended with code {code}: {str(tools.ccx_stdout)[-2000:]}")
+        raise SolverError(f"CalculiX ended with code {code}: {output[-2000:]}")
     tools.load_results()
     results = [o for o in analysis.Group if o.isDerivedFrom("Fem::FemResultObject")]
     if not results:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Notices that FEM asks for a mesh: an analysis takes it."""
+"""Notices that FEM asks for a mesh, when an analysis takes it: large meshes fill up, and FEM then
+finds the nodes of picked faces by their groups."""
 
 from __future__ import annotations
 
@@ -13,6 +14,9 @@ class _Watch:
 
     def slotChangedObject(self, obj: Any, prop: str) -> None:
         if prop == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
+            from .picked import install  # only here: it imports FEM, which is there by now
+
+            install()
             for member in obj.Group:
                 fill = getattr(getattr(member, "Proxy", None), "fill", None)
                 if fill is not None and hasattr(member, "Data"):

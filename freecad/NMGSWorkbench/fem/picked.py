@@ -7,10 +7,12 @@ EdgeN, VertexN, SolidN know them; a group is believed where its cells do cover t
 
 from __future__ import annotations
 
-import contextlib
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
+
+from ..nmgs.abaqus_file import SOLID_FACES
+from .fem_mesh import NODE_ORDER
 
 #: A group is taken for the whole of a face or edge when area or length agree this well. Elements
 #: with straight sides on a curved face have a little less of it.
@@ -19,6 +21,20 @@ _COVERS = 0.1
 _OFF = 0.02
 
 _CORNERS = {3: 3, 6: 3, 4: 4, 8: 4}
+
+
+def _ccx_sides() -> Dict[int, List[Tuple[int, ...]]]:
+    """Nodes of a volume -> the corners of CalculiX's faces 1, 2, ... by FemMesh's places."""
+    result = {}
+    for name, order in NODE_ORDER.items():
+        sides = SOLID_FACES[name]
+        if None not in sides:  # pyramids are unknown to CalculiX
+            place = {abaqus: fem for fem, abaqus in enumerate(order)}
+            result[len(order)] = [tuple(place[k] for k in side) for side in sides]
+    return result
+
+
+_CCX_SIDES = _ccx_sides()
 
 
 class MeshByGroups:
@@ -33,7 +49,7 @@ class MeshByGroups:
         for part, names in references:
             for name in names if isinstance(names, (list, tuple)) else [names]:
                 if name in self._group:
-                    self._named.append((part.Shape.getElement(name), name))
+                    self._named.append((_global(part, part.Shape.getElement(name)), name))
         self._nodes: Dict[int, Any] = fem_mesh.Nodes if self._named else {}
         self._believed: Dict[int, bool] = {}
         #: Names of the entities that were found by group.
@@ -57,6 +73,26 @@ class MeshByGroups:
             return self._mesh.getFacesByFace(shape)
         return sorted(self._mesh.getGroupElements(group))
 
+    def getccxVolumesByFace(self, shape: Any) -> Any:
+        """[(volume, number of its face as CalculiX counts)], for pressures."""
+        group = self._group_of(shape)
+        if group is None or self._mesh.getGroupElementType(group) != "Face":
+            return self._mesh.getccxVolumesByFace(shape)
+        faces = set()
+        for face in self._mesh.getGroupElements(group):
+            nodes = self._mesh.getElementNodes(face)
+            faces.add(frozenset(nodes[: _CORNERS[len(nodes)]]))
+        on = frozenset().union(*faces)
+        found = []
+        for volume in self._mesh.Volumes:
+            nodes = self._mesh.getElementNodes(volume)
+            if len(on.intersection(nodes)) < 3 or len(nodes) not in _CCX_SIDES:
+                continue
+            for number, side in enumerate(_CCX_SIDES[len(nodes)], 1):
+                if frozenset(nodes[k] for k in side) in faces:
+                    found.append((volume, number))
+        return found
+
     def _nodes_of(self, shape: Any) -> List[int]:
         group = self._group_of(shape)
         if group is None:
@@ -69,7 +105,7 @@ class MeshByGroups:
 
     def _group_of(self, shape: Any) -> Optional[int]:
         for at, (known, name) in enumerate(self._named):
-            if known.isSame(shape):
+            if known.isSame(shape) or _alike(known, shape):
                 if at not in self._believed:
                     self._believed[at] = self._covers(self._group[name], shape)
                     if self._believed[at]:
@@ -128,15 +164,42 @@ class MeshByGroups:
         return all(shape.distToShape(Part.Vertex(self._nodes[node]))[0] <= limit for node in nodes)
 
 
-@contextlib.contextmanager
-def sets_by_groups() -> Iterator[List[MeshByGroups]]:
-    """Within, FEM's input writer asks the groups first; gives the meshes it was handed."""
+def _global(part: Any, element: Any) -> Any:
+    """Where the element is in the document, as the mesh is."""
+    moved = part.getGlobalPlacement().multiply(part.Placement.inverse())
+    if moved.isIdentity():
+        return element
+    placed = element.copy()
+    placed.Placement = moved.multiply(placed.Placement)
+    return placed
+
+
+def _alike(a: Any, b: Any) -> bool:
+    """Whether two entities lie in one place: FreeCAD 1.0 hands FEM a copy in global coordinates."""
+    if a.ShapeType != b.ShapeType:
+        return False
+    limit = 1e-7 * max(a.BoundBox.DiagonalLength, 1.0)
+    if a.ShapeType == "Vertex":
+        return bool(a.Point.distanceToPoint(b.Point) <= limit)
+    return (
+        a.CenterOfMass.distanceToPoint(b.CenterOfMass) <= limit
+        and abs(a.Length - b.Length) <= 10 * limit
+        and abs(a.Area - b.Area) <= 1e-6 * max(a.Area, limit)
+    )
+
+
+def install() -> None:
+    """From now on, FEM's input writers ask the groups first, from FEM's own panel as well; once is
+    enough. Meshes without such groups are searched as ever."""
     from femmesh import meshsetsgetter
 
     plain = meshsetsgetter.MeshSetsGetter
-    made: List[MeshByGroups] = []
+    if getattr(plain, "asks_groups", False):
+        return
 
     class GetterByGroups(plain):  # type: ignore[misc, valid-type]
+        asks_groups = True
+
         def __init__(self, analysis: Any, *others: Any):
             super().__init__(analysis, *others)
             references = [
@@ -145,11 +208,6 @@ def sets_by_groups() -> Iterator[List[MeshByGroups]]:
                 for reference in getattr(member, "References", None) or []
             ]
             self.femmesh = MeshByGroups(self.femmesh, references)
-            made.append(self.femmesh)
 
-    # ccxtools looks the class up in its module at each use; there is no argument for it.
+    # FEM looks the class up in its module at each use; there is no argument for it.
     meshsetsgetter.MeshSetsGetter = GetterByGroups
-    try:
-        yield made
-    finally:
-        meshsetsgetter.MeshSetsGetter = plain

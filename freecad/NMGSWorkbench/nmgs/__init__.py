@@ -4,6 +4,7 @@
 from . import grading, shapes, sizing
 from .block_model import BlockModel
 from .cad import fit
+from .cuts import Cut, cut, propose_cuts
 from .errors import (
     BlockingError,
     Cancelled,
@@ -25,6 +26,7 @@ __all__ = [
     "BlockModel",
     "BlockingError",
     "Cancelled",
+    "Cut",
     "Error",
     "FormatError",
     "GeometryError",
@@ -34,8 +36,10 @@ __all__ = [
     "PLCProblem",
     "TetGenError",
     "TetOptions",
+    "cut",
     "fit",
     "grading",
+    "propose_cuts",
     "read",
     "refit",
     "to_fem",

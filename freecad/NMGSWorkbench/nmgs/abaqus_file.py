@@ -55,7 +55,7 @@ _HEXAHEDRON = (
     (2, 6, 7, 3),
     (3, 7, 4, 0),
 )
-_FACES: Dict[str, tuple] = {
+SOLID_FACES: Dict[str, tuple] = {
     "tetra": _TETRA,
     "tetra10": _TETRA,
     "wedge": _WEDGE,
@@ -209,7 +209,7 @@ def _sides(
         linear = next(k for k in _SOLID_CORNERS if name.startswith(k))
         # Only the elements at the faces are looked through.
         near = np.flatnonzero(np.isin(nodes[:, : _SOLID_CORNERS[linear]], touched).any(axis=1))
-        for side, at in enumerate(_FACES[name], 1):
+        for side, at in enumerate(SOLID_FACES[name], 1):
             if at is None or len(at) != corners:
                 continue
             keys: List[List[int]] = np.sort(nodes[near][:, list(at)], axis=1).tolist()

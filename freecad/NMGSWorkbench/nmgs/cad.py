@@ -47,8 +47,8 @@ def fit(
     if tolerance is not None and not tolerance > 0:
         raise ValueError(f"tolerance: expected a length above 0, got {tolerance!r}")
     part = as_shape(shape)
-    dimension, indices = _picked(part, entities)
-    _check_valid(part, dimension, indices)
+    dimension, indices = picked(part, entities)
+    check_valid(part, dimension, indices)
     kernel = _kernel.cad()
     cad_shape = kernel.CadShape(brep_bytes(part))
     accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
@@ -69,7 +69,6 @@ def fit(
         default_divisions(model)
     else:
         model.set_divisions(float(size))
-    model.report = report
     return model
 
 
@@ -78,15 +77,27 @@ def linked(shape: Any, raw: Dict[str, Any]) -> BlockModel:
     model = BlockModel(raw["nodes"], 1)
     model.cad = CadLink(shape, raw["offsets"], raw["entities"], raw["corners"])
     model.cad.whole = raw.get("whole")
+    model.report = raw["report"]
     return model
 
 
 def default_divisions(model: BlockModel) -> None:
     """Divisions for a fitted model when no size is given: elements no longer than a thirtieth of
-    the shape's diagonal that turn by ten degrees at most, and no more than 200 000 of them."""
+    the shape's diagonal that turn by ten degrees at most and keep each solid's volume, and no more
+    than 200 000 of them."""
     link: CadLink = model.cad  # type: ignore[assignment]
+    if link.whole is not None and link.whole.all():
+        return
+    part = np.zeros(len(model.nodes), np.int32)
+    for n, entry in enumerate(model.report):
+        part[entry["first_block"] : entry["first_block"] + entry["blocks"]] = n
     model.divisions = _kernel.core().default_divisions(
-        model.nodes, model.divisions, link.shape.diagonal / 30, corners=link.corners
+        model.nodes,
+        model.divisions,
+        link.shape.diagonal / 30,
+        corners=link.corners,
+        part=part,
+        structured=[entry["method"] != tet_to_hexas.METHOD for entry in model.report],
     )
     if link.whole is not None:
         divisions = model.divisions.copy()
@@ -100,11 +111,12 @@ def _with_tets(
     tolerance: float,
     progress: Optional[Callable[[float], Any]],
 ) -> Dict[str, Any]:
-    """Fills the solids that no structured strategy did, one group of solids that share faces after
-    the other. A group that TetGen cannot do either keeps its reasons, and gains one."""
+    """Fills the solids that no structured strategy did, one group of solids that touch after the
+    other. A group that TetGen cannot do either keeps its reasons, and gains one."""
     left = [entry for entry in raw["report"] if not entry["method"]]
     parts = [raw]
-    for group in _joined(shape, [int(entry["entity"][5:]) for entry in left]):
+    solids = [int(entry["entity"][5:]) for entry in left]
+    for group in _kernel.cad().joined_solids(shape, solids):
         entries = [entry for entry in left if int(entry["entity"][5:]) in group]
         filled, reasons = _filled(shape, group, tolerance, progress)
         for entry in entries:
@@ -161,23 +173,6 @@ def _has_skin(shape: Any, solid: int) -> bool:
     except GeometryError:
         return False
     return True
-
-
-def _joined(shape: Any, solids: Sequence[int]) -> List[List[int]]:
-    """Groups of solids that are linked by shared faces."""
-    groups: List[Tuple[set, List[int]]] = []
-    for solid in solids:
-        faces = {face for face, _ in _kernel.cad().solid_faces(shape, solid)}
-        members = [solid]
-        apart = []
-        for known, others in groups:
-            if known & faces:
-                faces |= known
-                members += others
-            else:
-                apart.append((known, others))
-        groups = apart + [(faces, members)]
-    return [sorted(members) for _, members in groups]
 
 
 def _joined_fits(parts: Sequence[Dict[str, Any]]) -> Dict[str, Any]:
@@ -239,7 +234,7 @@ def brep_bytes(shape: Any) -> bytes:
     return shape.exportBrepToString().encode("ascii")
 
 
-def _picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int]]:
+def picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int]]:
     counts = {"Solid": len(shape.Solids), "Face": len(shape.Faces)}
     if entities is None:
         kind = "Solid" if counts["Solid"] else "Face"
@@ -264,7 +259,7 @@ def _picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[in
     return (3 if kinds == {"Solid"} else 2), indices
 
 
-def _check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
+def check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
     parts = shape.Solids if dimension == 3 else shape.Faces
     kind = "Solid" if dimension == 3 else "Face"
     bad = [f"{kind}{n}" for n in indices if not parts[n - 1].isValid()]

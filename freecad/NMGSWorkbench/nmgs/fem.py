@@ -28,6 +28,7 @@ def to_fem(
     import FreeCAD
 
     # Not above: they import this package themselves.
+    from ..fem import ask
     from ..fem.fem_mesh import fem_mesh
     from ..objects.run import run  # the window's dialog where there is one
 
@@ -41,6 +42,7 @@ def to_fem(
         prepared = fem_mesh(mesh, progress)
     else:
         prepared = run(lambda shown: fem_mesh(mesh, shown), "Making the FEM mesh")
+    ask.watch()
     if document is None:
         document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
     obj = document.addObject("Fem::FemMeshObject", name)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 import os
 from typing import Any, Dict, List, Optional
 
@@ -13,13 +14,34 @@ from .mesh import CELL_TYPES, Mesh
 
 
 def module() -> Any:
-    """meshio; version 5.0 (Debian 12) lacks the dimension of two cells that it reads and writes."""
+    """meshio, with two defects mended: version 5.0 (Debian 12) lacks the dimension of two cells
+    that it reads and writes; and it decodes an array of a .vtu file together with all arrays
+    behind it, which Python refuses from 3.13 on."""
     import meshio
     from meshio import _mesh
+    from meshio.vtu import _vtu
 
     for name in ("wedge15", "pyramid13"):
         getattr(_mesh, "topological_dimension", {}).setdefault(name, 3)
+    _vtu.VtuReader.read_uncompressed_binary = _one_array
     return meshio
+
+
+def _one_array(reader: Any, text: str, dtype: Any) -> np.ndarray:
+    """The array whose base64 text comes first: its number of bytes, then these, together or each by
+    itself."""
+    from meshio.vtu import _vtu
+
+    order = {"LittleEndian": "<", "BigEndian": ">"}.get(reader.byte_order, "=")
+    head = _vtu.vtu_to_numpy_type[reader.header_type].newbyteorder(order)
+    chars = 4 * -(-head.itemsize // 3)
+    start = base64.b64decode(text[:chars])
+    size = int(np.frombuffer(start[: head.itemsize], head)[0])
+    if text[chars - 1] == "=" or head.itemsize % 3 == 0:
+        data = base64.b64decode(text[chars : chars + 4 * -(-size // 3)])
+    else:
+        data = base64.b64decode(text[: 4 * -(-(head.itemsize + size) // 3)])[head.itemsize :]
+    return np.frombuffer(data[:size], dtype=dtype.newbyteorder(order))
 
 
 def raw_mesh(path: str, file_format: Optional[str] = None) -> Any:

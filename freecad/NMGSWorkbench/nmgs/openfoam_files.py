@@ -100,7 +100,7 @@ def _labels(mesh: Mesh, faces: Sides) -> Tuple[List[str], np.ndarray]:
 
 def _order(faces: Sides, inside: np.ndarray, label: np.ndarray) -> np.ndarray:
     """Internal faces by owner and neighbour, then patches one after the other, the rest last."""
-    last = np.iinfo(np.int64).max
+    last = len(label) + 1  # more than there are groups; labels have few bits
     patch = np.where(inside, -1, np.where(label == 0, last, label))
     return np.lexsort((np.where(inside, faces.neighbour, 0), faces.owner, patch))
 

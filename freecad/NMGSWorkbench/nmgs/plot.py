@@ -12,22 +12,9 @@ from typing import Dict, List, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _kernel
+from .cell_sides import SIDES
 from .mesh import CELL_TYPES, Mesh
 
-#: Corners of the faces of volume cells, VTK's numbering, seen from outside.
-CELL_FACES: Dict[str, Tuple[Tuple[int, ...], ...]] = {
-    "hexahedron": (
-        (0, 4, 7, 3),
-        (1, 2, 6, 5),
-        (0, 1, 5, 4),
-        (3, 7, 6, 2),
-        (0, 3, 2, 1),
-        (4, 5, 6, 7),
-    ),
-    "tetra": ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)),
-    "wedge": ((0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (0, 2, 5, 3)),
-    "pyramid": ((0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)),
-}
 #: Mid-side node of the edge between two corners, VTK's numbering of quadratic cells.
 _MID_SIDES: Dict[str, Tuple[Tuple[int, int], ...]] = {
     "hexahedron": (
@@ -222,7 +209,7 @@ def _directions(mesh: Mesh, types: List[str], faces: np.ndarray, owners: np.ndar
             continue
         mine = np.flatnonzero(owners[:, 0] == number)
         nodes = mesh.cells[name][owners[mine, 1]]
-        for local, face in enumerate(CELL_FACES["hexahedron"]):
+        for local, face in enumerate(SIDES["hexahedron"]):
             same = (np.sort(nodes[:, face], axis=1) == corners[mine]).all(axis=1)
             result[mine[same]] = local // 2
     return result
@@ -236,7 +223,7 @@ def _all_faces(mesh: Mesh, types: List[str], faces: List) -> List:
         linear = LINEAR.get(name, name)
         mine = owners[owners[:, 0] == number] if len(owners) else np.zeros((0, 2), dtype=int)
         nodes = mesh.cells[name][mine[:, 1]]
-        for face in CELL_FACES[linear]:
+        for face in SIDES[linear]:
             result.append((nodes[:, _with_mid_sides(linear, face, name != linear)], mine))
     return result
 

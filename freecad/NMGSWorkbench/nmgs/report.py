@@ -127,6 +127,9 @@ def _summary(
         low, high = min(low, finite.min()), max(high, finite.max())
         if metric not in _RANGES:
             low = finite.min()
+            # Values that differ by rounding only leave no room for the bins.
+            if high - low <= 1e-9 * max(abs(low), abs(high)):
+                low, high = low - 0.5, high + 0.5
     histogram, edges = np.histogram(finite, bins=bins, range=(low, high))
     nodes = mesh.cells[cell_type][order]
     return MetricSummary(

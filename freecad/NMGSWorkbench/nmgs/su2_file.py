@@ -13,17 +13,10 @@ from .group_partition import one_number
 from .mesh import CELL_TYPES, Mesh
 from .text_rows import write_rows
 from .text_sections import Lines, reader
+from .vtk_file import VTK_TYPES
 
-#: VTK's numbers, as SU2 takes them.
-TYPES = {
-    "line": 3,
-    "triangle": 5,
-    "quad": 9,
-    "tetra": 10,
-    "hexahedron": 12,
-    "wedge": 13,
-    "pyramid": 14,
-}
+#: VTK's numbers, as SU2 takes them; from 21 on they are quadratic.
+TYPES = {name: number for name, number in VTK_TYPES.items() if number < 21}
 #: Marker of boundary faces that are in no group.
 REST = "boundary"
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import time
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -21,18 +21,41 @@ SWITCHES = ("pYAq1.6/8", "pYA")
 #: Most tetrahedra for one triangle of the skin; more of them come from TetGen's quality alone.
 MOST = 12
 #: How often the skin is made finer where hexahedra fold or TetGen cannot keep it.
-ROUNDS = 5
+ROUNDS = 4
 #: Largest turn of the surface along an edge of the skin, in radians: each is halved, and a cylinder
-#: then loses 0.8 % of its volume.
-ANGLE = 0.45
-#: Seconds after which no further round begins.
+#: then loses 0.8 % of its volume. The others where the first leads to no sound hexahedra.
+ANGLES = (0.45, 0.37, 0.6)
+#: Triangles of a skin that is not made finer.
+MOST_TRIANGLES = 30_000
+#: Seconds after which no further round begins; twice as many while there is no sound layout.
 PATIENCE = 20.0
 #: Scaled Jacobian of the mesh from which blocks are left as they are.
-SOUND = 0.005
+SOUND = 0.001
 #: Seconds for one run of TetGen.
 TIMEOUT = 60.0
 
 Progress = Optional[Callable[[float], Any]]
+#: Blocks that a mesh may divide.
+FEW = 400
+
+
+class _Found(NamedTuple):
+    """A layout, the worst scaled Jacobian of its hexahedra, and where they are poor."""
+
+    worst: float
+    inside: float
+    layout: Any
+    folded: np.ndarray
+    off_cad: int
+
+    @property
+    def sound(self) -> bool:
+        return self.worst >= SOUND and self.inside > 0
+
+    @property
+    def rank(self) -> Tuple[bool, bool, int, float]:
+        """The greater, the better: sound, on the CAD, then by the worst."""
+        return self.worst >= SOUND, self.inside > 0, -self.off_cad, self.worst
 
 
 def fill(
@@ -46,63 +69,88 @@ def fill(
     """
     kernel = _kernel.cad()
     faces = {n: kernel.solid_faces(shape, n) for n in solids}
-    wanted = sorted({face for rows in faces.values() for face, _ in rows})
-    limits = np.empty((0, 5))
-    best: Tuple[float, Any] = (-np.inf, None)
+    best: Optional[_Found] = None
     start = time.monotonic()
-    vain = 0  # rounds that made nothing better
-    for round_ in range(ROUNDS):
-        if vain > 1 or (best[1] is not None and time.monotonic() - start > PATIENCE):
+    for angle in ANGLES:
+        if (best is not None and best.sound) or time.monotonic() - start > 2 * PATIENCE:
             break
-        skin = kernel.make_skin(
-            shape, wanted, angle=ANGLE, limits=limits, progress=_share(progress, round_, 0)
-        )
+        found = _best_round(shape, faces, angle, start, progress)
+        if isinstance(found, _Found) and (best is None or found.rank > best.rank):
+            best = found
+    if best is None:
+        reason = "TetGen cannot fill the skin of " + ", ".join(found)
+        raise BlockingError(f"no blocks: {reason}", found, [reason] * len(found))
+    return _settled(shape, best, list(solids), tolerance, progress)
+
+
+def _best_round(
+    shape: Any,
+    faces: Dict[int, List[Tuple[int, bool]]],
+    angle: float,
+    start: float,
+    progress: Progress,
+) -> Union[_Found, List[str]]:
+    """The best layout found while the skin is made finer where it is poor; or the names of the
+    solids that TetGen cannot fill."""
+    kernel = _kernel.cad()
+    wanted = sorted({face for rows in faces.values() for face, _ in rows})
+    builder = kernel.SkinBuilder(shape, wanted, angle=angle, progress=_share(progress, 0, 0))
+    best: Optional[_Found] = None
+    vain = 0  # rounds that made nothing better
+    where = np.empty((0, 5))
+    skin = builder.skin()
+    for round_ in range(ROUNDS):
+        if round_:
+            enough = best is not None and best.sound
+            late = time.monotonic() - start > (1 if enough else 2) * PATIENCE
+            if vain > 1 or (late and best is not None) or len(skin.triangles) > MOST_TRIANGLES:
+                break
+            builder.refine(where, _share(progress, round_, 0))
+            skin = builder.skin()
         tets: List[Tuple[int, np.ndarray, np.ndarray]] = []
         finer: List[np.ndarray] = []
-        for n in solids:
-            inner, cells, trouble = _tetrahedra(shape, skin, n, faces[n], progress)
+        for n, own in faces.items():
+            inner, cells, trouble = _tetrahedra(shape, skin, n, own, progress)
             tets.append((n, inner, cells))
             finer.append(trouble)
         where = np.concatenate(finer)
-        if not len(where):
-            layout = kernel.Layout(shape)
-            worst, where = kernel.tets_to_hexas(shape, skin, tets, layout, progress)
-            vain = 0 if worst > best[0] else vain + 1
-            if worst > best[0]:
-                best = (worst, layout)
+        if len(where):
+            vain += best is not None
+            continue
+        layout = kernel.Layout(shape)
+        worst, inside, where, off = kernel.tets_to_hexas(shape, skin, tets, layout, progress)
+        found = _Found(worst, inside, layout, where, off)
+        better = best is None or found.rank > best.rank
+        vain = 0 if better else vain + 1
+        if better:
+            best = found
         if not len(where):
             break
-        limits = np.concatenate([limits, where])
-    if best[1] is None:
-        names = [f"Solid{n}" for n, where in zip(solids, finer) if len(where)]
-        reason = "TetGen cannot fill the skin of " + ", ".join(names)
-        raise BlockingError(f"no blocks: {reason}", names, [reason] * len(names))
-    return _settled(shape, best[1], list(solids), tolerance, progress)
+    if best is None:
+        return [f"Solid{n}" for n, where in zip(faces, finer) if len(where)]
+    return best
 
 
 def _settled(
-    shape: Any, layout: Any, solids: List[int], tolerance: float, progress: Progress
+    shape: Any, found: _Found, solids: List[int], tolerance: float, progress: Progress
 ) -> Dict[str, Any]:
-    """The blocks of a layout whose mesh, as it is generated by default, is sound: halved until they
-    are within the tolerance, or whole; where their quadratics fold, with one element each. The
-    entry "whole" tells of each block whether the last is so."""
-    best: Tuple[float, Any] = (-np.inf, None)
-    raw: Dict[str, Any] = {}
-    for accepted, whole in ((tolerance, False), (np.inf, False), (np.inf, True)):
-        if whole:
-            raw = dict(raw)
-        else:
-            blocks = len(raw.get("nodes", ()))
-            raw = _kernel.cad().tet_blocks(shape, layout, solids, accepted, progress)
-            if len(raw["nodes"]) == blocks:
-                continue  # nothing had been halved
-        raw["whole"] = np.full(len(raw["nodes"]), whole)
-        worst = _worst(shape, raw, progress)
-        if worst > best[0] + 1e-9:
-            best = (worst, raw)
-        if worst >= SOUND:
-            break
-    return best[1]
+    """The blocks of a layout whose mesh, as it is generated by default, is sound. The entry "whole"
+    tells of each block whether it is one element of it: many blocks are as fine as a mesh. Few are
+    halved until they are within the tolerance, and divided, if that does not fold them."""
+    kernel = _kernel.cad()
+    raw = kernel.tet_blocks(shape, found.layout, solids, np.inf, progress)
+    if len(raw["nodes"]) <= FEW:
+        finer = kernel.tet_blocks(shape, found.layout, solids, tolerance, progress)
+        for blocks in (finer, raw) if len(finer["nodes"]) > len(raw["nodes"]) else (raw,):
+            if _worst(shape, blocks, progress) >= max(SOUND, 0.5 * found.worst):
+                return blocks
+    raw["whole"] = np.ones(len(raw["nodes"]), bool)
+    if found.worst < SOUND and not _worst(shape, raw, progress) > 0:
+        names = [f"Solid{n}" for n in solids]
+        x, y, z = found.folded[0, :3] if len(found.folded) else (np.nan,) * 3
+        reason = f"hexahedra would be inside out near ({x:.6g}, {y:.6g}, {z:.6g})"
+        raise BlockingError(f"no blocks: {reason}", names, [reason] * len(names))
+    return raw
 
 
 def _worst(shape: Any, raw: Dict[str, Any], progress: Progress) -> float:

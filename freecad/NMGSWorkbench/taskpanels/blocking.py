@@ -6,9 +6,10 @@ from __future__ import annotations
 from typing import Any, Dict, List
 
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from ..nmgs.cad import METHODS
+from ..nmgs.tet_to_hexas import METHOD as UNSTRUCTURED
 from ..texts import tr
 from . import tables
 from .base import Panel
@@ -33,6 +34,8 @@ class BlockingPanel(Panel):
         form = self.form
         form.auto_divisions.toggled.connect(self._divisions_enabled)
         form.report.cellClicked.connect(lambda row, *_: self.take_entry(row))
+        form.cut.setVisible(self._directions == 3)
+        form.cut.clicked.connect(self._cut)
 
     def fill(self) -> None:
         form, obj = self.form, self.obj
@@ -56,6 +59,8 @@ class BlockingPanel(Panel):
             text += "; " + tr("{left} of {all} could not be used").format(
                 left=left_out, all=len(self.entries)
             )
+        if any(_in_the_way(entry) for entry in self.entries):
+            text += ". " + tr("A click on a row picks what stands in the way of structured blocks.")
         form.summary.setText(text)
         further = [
             key
@@ -77,11 +82,22 @@ class BlockingPanel(Panel):
         tables.fit_columns(form.report)
 
     def take_entry(self, row: int) -> None:
-        """Picks the face or solid of a row in the view."""
-        owner = self.obj.Proxy.owner(self.obj, self.entries[row]["entity"])
+        """Picks in the view what stands in the way of blocks; else the face or solid of the row."""
+        entry = self.entries[row]
         FreeCADGui.Selection.clearSelection()
-        if owner is not None:
-            FreeCADGui.Selection.addSelection(owner[0].Document.Name, owner[0].Name, owner[1])
+        for name in _in_the_way(entry) or [entry["entity"]]:
+            owner = self.obj.Proxy.owner(self.obj, name)
+            if owner is not None:
+                FreeCADGui.Selection.addSelection(owner[0].Document.Name, owner[0].Name, owner[1])
+
+    def _cut(self) -> None:
+        if not self.accept():
+            return
+        from . import cuts  # only here: few open it
+
+        # When this panel is gone.
+        blocks = self.obj
+        QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.showDialog(cuts.open_for(blocks)))
 
     def _divisions_enabled(self, automatic: bool) -> None:
         self.form.divisions.setEnabled(not automatic)
@@ -122,6 +138,12 @@ class BlockingPanel(Panel):
         obj.Tolerance = form.tolerance.property("rawValue")
         obj.Method = form.method.currentText()
         obj.Reference = form.reference.text()
+
+
+def _in_the_way(entry: Dict[str, Any]) -> List[str]:
+    """Edges and faces for which a solid has no structured blocks."""
+    structured = entry.get("method") not in ("", UNSTRUCTURED)
+    return [] if structured else list(entry.get("blockers") or ())
 
 
 def _text(value: Any) -> str:

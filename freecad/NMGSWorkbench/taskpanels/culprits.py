@@ -64,8 +64,8 @@ def _draw(outlines: Sequence[np.ndarray]) -> None:
     view = document.activeView() if document is not None else None
     if view is None or not hasattr(view, "getSceneGraph"):
         return
+    node = _node(outlines)  # before the scene, which FreeCAD 1.0 has only when Coin is loaded
     root = view.getSceneGraph()
-    node = _node(outlines)
     root.addChild(node)
     _drawn = root, node
     _observer = _Observer()

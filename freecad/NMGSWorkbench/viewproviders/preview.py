@@ -12,6 +12,9 @@ class Preview:
     """One node in the scene of a document's 3D view; replaced by show, taken away by clear."""
 
     def __init__(self, document: Any):
+        # FreeCAD 1.0 hands its scene out only when Coin's Python side has been loaded.
+        from pivy import coin  # noqa: F401  only here: it takes a while to import
+
         view = FreeCADGui.getDocument(document.Name).activeView()
         self._scene: Any = view.getSceneGraph() if hasattr(view, "getSceneGraph") else None
         self.node: Any = None

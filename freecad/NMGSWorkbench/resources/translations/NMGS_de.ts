@@ -73,6 +73,22 @@
         <translation>Bericht der Anpassung als JSON, eine Zeile je Fläche oder Körper</translation>
     </message>
     <message>
+        <source>Solids that are cut</source>
+        <translation>Volumenkörper, die zerschnitten werden</translation>
+    </message>
+    <message>
+        <source>Faces and planes that cut; planes and round faces go through the whole solid</source>
+        <translation>Flächen und Ebenen, die schneiden; ebene und runde Flächen gehen durch den ganzen Körper</translation>
+    </message>
+    <message>
+        <source>Planes and cylinders that cut, one a line, as JSON</source>
+        <translation>Ebenen und Zylinder, die schneiden, je Zeile einer, als JSON</translation>
+    </message>
+    <message>
+        <source>Number of pieces</source>
+        <translation>Anzahl der Stücke</translation>
+    </message>
+    <message>
         <source>File that the mesh was read from</source>
         <translation>Datei, aus der das Netz gelesen wurde</translation>
     </message>
@@ -204,6 +220,10 @@
 <context>
     <name>NMGS</name>
     <message>
+        <source>CalculiX</source>
+        <translation>CalculiX rechnet</translation>
+    </message>
+    <message>
         <source>Hemisphere</source>
         <translation>Halbkugelfläche</translation>
     </message>
@@ -256,6 +276,10 @@
         <translation>Blöcke werden angepasst</translation>
     </message>
     <message>
+        <source>Cutting solids</source>
+        <translation>Körper werden zerschnitten</translation>
+    </message>
+    <message>
         <source>Handing the mesh over</source>
         <translation>Das Netz wird übergeben</translation>
     </message>
@@ -284,6 +308,66 @@
         <translation>Über NMGS</translation>
     </message>
     <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
+    </message>
+    <message>
+        <source>Stainless steel</source>
+        <translation>Edelstahl</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Titanium</source>
+        <translation>Titan</translation>
+    </message>
+    <message>
+        <source>Copper</source>
+        <translation>Kupfer</translation>
+    </message>
+    <message>
+        <source>Cast iron</source>
+        <translation>Gusseisen</translation>
+    </message>
+    <message>
+        <source>Concrete</source>
+        <translation>Beton</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Along picked edge or face</source>
+        <translation>Entlang ausgewählter Kante oder Fläche</translation>
+    </message>
+    <message>
+        <source>Largest displacement {moved:.4g} mm, largest von Mises stress {stress:.4g} MPa</source>
+        <translation>Größte Verschiebung {moved:.4g} mm, größte Vergleichsspannung nach von Mises {stress:.4g} MPa</translation>
+    </message>
+    <message>
+        <source>Pick faces of the part in the view first.</source>
+        <translation>Zuerst in der Ansicht Flächen des Teils auswählen.</translation>
+    </message>
+    <message>
+        <source>A face must be held and one be loaded.</source>
+        <translation>Eine Fläche muss gehalten und eine belastet sein.</translation>
+    </message>
+    <message>
+        <source>{mesh} on {parts}</source>
+        <translation>{mesh} auf {parts}</translation>
+    </message>
+    <message>
+        <source>Along {name}</source>
+        <translation>Entlang {name}</translation>
+    </message>
+    <message>
+        <source>{mesh} is not on a part: there are no faces to hold or load.</source>
+        <translation>{mesh} liegt auf keinem Teil: Es gibt keine Flächen zum Halten oder Belasten.</translation>
+    </message>
+    <message>
         <source>Geometry</source>
         <translation>Geometrie</translation>
     </message>
@@ -304,6 +388,10 @@
         <translation>{blocks} Blöcke</translation>
     </message>
     <message>
+        <source>A click on a row picks what stands in the way of structured blocks.</source>
+        <translation>Ein Klick auf eine Zeile wählt aus, was strukturierten Blöcken im Weg steht.</translation>
+    </message>
+    <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
     </message>
@@ -314,6 +402,38 @@
     <message>
         <source>Divisions of element {element} along {axis}: expected a whole number, got {text!r}</source>
         <translation>Teilungen von Element {element} entlang {axis}: ganze Zahl erwartet, {text!r} erhalten</translation>
+    </message>
+    <message>
+        <source>Cut solids</source>
+        <translation>Körper zerschneiden</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>{count} pieces.</source>
+        <translation>{count} Stücke.</translation>
+    </message>
+    <message>
+        <source>Nothing stands in the way of blocks.</source>
+        <translation>Blöcken steht nichts im Weg.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Resolves</source>
+        <translation>Behebt</translation>
+    </message>
+    <message>
+        <source>Pick faces or planes in the view first.</source>
+        <translation>Zuerst in der Ansicht Flächen oder Ebenen auswählen.</translation>
+    </message>
+    <message>
+        <source>Check a cut, or pick faces and add them.</source>
+        <translation>Einen Schnitt ankreuzen, oder Flächen auswählen und hinzufügen.</translation>
     </message>
     <message>
         <source>uniform</source>
@@ -608,6 +728,28 @@
     </message>
 </context>
 <context>
+    <name>NMGS_Analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statische Berechnung</translation>
+    </message>
+    <message>
+        <source>Hold and load faces of the part that the picked mesh is on, and solve with CalculiX</source>
+        <translation>Flächen des Teils, auf dem das ausgewählte Netz liegt, halten und belasten und mit CalculiX lösen</translation>
+    </message>
+</context>
+<context>
+    <name>NMGS_CutSolids</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Körper zerschneiden</translation>
+    </message>
+    <message>
+        <source>Cut picked solids into pieces that blocks fill: by the faces and planes picked with them, or where it is proposed</source>
+        <translation>Zerschneidet ausgewählte Körper in Stücke, die Blöcke füllen: mit den dazu ausgewählten Flächen und Ebenen, oder wo es vorgeschlagen wird</translation>
+    </message>
+</context>
+<context>
     <name>NMGS_Divisions</name>
     <message>
         <source>Divisions and grading</source>
@@ -762,6 +904,105 @@
     </message>
 </context>
 <context>
+    <name>analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statische Berechnung</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Fills in the figures below, which can be changed</source>
+        <translation>Füllt die Werte darunter aus, die geändert werden können</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Stress by strain</source>
+        <translation>Spannung durch Dehnung</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation>Querdehnzahl</translation>
+    </message>
+    <message>
+        <source>Strain across by strain along</source>
+        <translation>Querdehnung durch Längsdehnung</translation>
+    </message>
+    <message>
+        <source>Faces that are held</source>
+        <translation>Flächen, die gehalten werden</translation>
+    </message>
+    <message>
+        <source>None of their nodes can move; a double click takes a face away</source>
+        <translation>Keiner ihrer Knoten kann sich bewegen; ein Doppelklick nimmt eine Fläche weg</translation>
+    </message>
+    <message>
+        <source>Hold picked faces</source>
+        <translation>Ausgewählte Flächen halten</translation>
+    </message>
+    <message>
+        <source>Adds the faces that are picked in the view</source>
+        <translation>Fügt die in der Ansicht ausgewählten Flächen hinzu</translation>
+    </message>
+    <message>
+        <source>Faces that are loaded</source>
+        <translation>Flächen, die belastet werden</translation>
+    </message>
+    <message>
+        <source>They share the load; a double click takes a face away</source>
+        <translation>Sie teilen sich die Last; ein Doppelklick nimmt eine Fläche weg</translation>
+    </message>
+    <message>
+        <source>Load picked faces</source>
+        <translation>Ausgewählte Flächen belasten</translation>
+    </message>
+    <message>
+        <source>A force that all loaded faces share, or a pressure on each</source>
+        <translation>Eine Kraft, die sich alle belasteten Flächen teilen, oder ein Druck auf jede</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>All loaded faces together</source>
+        <translation>Alle belasteten Flächen zusammen</translation>
+    </message>
+    <message>
+        <source>Into the part</source>
+        <translation>In das Teil hinein</translation>
+    </message>
+    <message>
+        <source>The force goes along the straight edge, or the normal of the flat face, that is picked in the view; without any, into the loaded face</source>
+        <translation>Die Kraft wirkt entlang der geraden Kante oder der Normalen der ebenen Fläche, die in der Ansicht ausgewählt ist; ohne eine in die belastete Fläche hinein</translation>
+    </message>
+    <message>
+        <source>The other way round</source>
+        <translation>Anders herum</translation>
+    </message>
+    <message>
+        <source>Turns the load's direction</source>
+        <translation>Kehrt die Richtung der Last um</translation>
+    </message>
+    <message>
+        <source>Solve with CalculiX</source>
+        <translation>Mit CalculiX lösen</translation>
+    </message>
+    <message>
+        <source>Off: only the analysis is made, to go on with in the FEM workbench</source>
+        <translation>Aus: Es wird nur die Analyse angelegt, mit der im Arbeitsbereich FEM weitergearbeitet wird</translation>
+    </message>
+</context>
+<context>
     <name>blocking</name>
     <message>
         <source>Fit</source>
@@ -804,12 +1045,43 @@
         <translation>Ein Klick wählt die Fläche oder den Körper in der Ansicht</translation>
     </message>
     <message>
+        <source>Cut the solids...</source>
+        <translation>Körper zerschneiden ...</translation>
+    </message>
+    <message>
+        <source>Takes these options, then proposes cuts into pieces that structured blocks fill</source>
+        <translation>Übernimmt diese Einstellungen und schlägt dann Schnitte in Stücke vor, die strukturierte Blöcke füllen</translation>
+    </message>
+    <message>
         <source>Divisions follow the element size</source>
         <translation>Teilungen folgen der Elementgröße</translation>
     </message>
     <message>
         <source>Number of elements along each direction of each block</source>
         <translation>Anzahl der Elemente entlang jeder Richtung jedes Blocks</translation>
+    </message>
+</context>
+<context>
+    <name>cuts</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Körper zerschneiden</translation>
+    </message>
+    <message>
+        <source>Checked rows cut. Choose a row to see where. What is proposed goes through edges that stand in the way of blocks.</source>
+        <translation>Angekreuzte Zeilen schneiden. Eine gewählte Zeile zeigt, wo. Die Vorschläge gehen durch Kanten, die Blöcken im Weg stehen.</translation>
+    </message>
+    <message>
+        <source>Cuts, and how many of the edges and vertices in the way lie on each</source>
+        <translation>Schnitte, und wie viele der Kanten und Eckpunkte im Weg auf jedem liegen</translation>
+    </message>
+    <message>
+        <source>Add picked faces</source>
+        <translation>Ausgewählte Flächen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Faces and planes that are picked in the view cut as well; planes and round faces go through the whole solid</source>
+        <translation>In der Ansicht ausgewählte Flächen und Ebenen schneiden auch; ebene und runde Flächen gehen durch den ganzen Körper</translation>
     </message>
 </context>
 <context>

@@ -73,6 +73,22 @@
         <translation>Oturtma raporu JSON olarak, her yüz veya katı için bir satır</translation>
     </message>
     <message>
+        <source>Solids that are cut</source>
+        <translation>Kesilen katılar</translation>
+    </message>
+    <message>
+        <source>Faces and planes that cut; planes and round faces go through the whole solid</source>
+        <translation>Kesen yüzeyler ve düzlemler; düz ve yuvarlak yüzeyler katının tamamından geçer</translation>
+    </message>
+    <message>
+        <source>Planes and cylinders that cut, one a line, as JSON</source>
+        <translation>Kesen düzlemler ve silindirler, her satırda bir tane, JSON olarak</translation>
+    </message>
+    <message>
+        <source>Number of pieces</source>
+        <translation>Parça sayısı</translation>
+    </message>
+    <message>
         <source>File that the mesh was read from</source>
         <translation>Ağın okunduğu dosya</translation>
     </message>
@@ -204,6 +220,10 @@
 <context>
     <name>NMGS</name>
     <message>
+        <source>CalculiX</source>
+        <translation>CalculiX çözüyor</translation>
+    </message>
+    <message>
         <source>Hemisphere</source>
         <translation>Yarım küre yüzeyi</translation>
     </message>
@@ -256,6 +276,10 @@
         <translation>Bloklar oturtuluyor</translation>
     </message>
     <message>
+        <source>Cutting solids</source>
+        <translation>Katılar kesiliyor</translation>
+    </message>
+    <message>
         <source>Handing the mesh over</source>
         <translation>Ağ aktarılıyor</translation>
     </message>
@@ -284,6 +308,66 @@
         <translation>NMGS hakkında</translation>
     </message>
     <message>
+        <source>Steel</source>
+        <translation>Çelik</translation>
+    </message>
+    <message>
+        <source>Stainless steel</source>
+        <translation>Paslanmaz çelik</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Alüminyum</translation>
+    </message>
+    <message>
+        <source>Titanium</source>
+        <translation>Titanyum</translation>
+    </message>
+    <message>
+        <source>Copper</source>
+        <translation>Bakır</translation>
+    </message>
+    <message>
+        <source>Cast iron</source>
+        <translation>Dökme demir</translation>
+    </message>
+    <message>
+        <source>Concrete</source>
+        <translation>Beton</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Along picked edge or face</source>
+        <translation>Seçilen kenar ya da yüzey boyunca</translation>
+    </message>
+    <message>
+        <source>Largest displacement {moved:.4g} mm, largest von Mises stress {stress:.4g} MPa</source>
+        <translation>En büyük yer değiştirme {moved:.4g} mm, en büyük von Mises gerilmesi {stress:.4g} MPa</translation>
+    </message>
+    <message>
+        <source>Pick faces of the part in the view first.</source>
+        <translation>Önce görünümde parçanın yüzeylerini seçin.</translation>
+    </message>
+    <message>
+        <source>A face must be held and one be loaded.</source>
+        <translation>Bir yüzey tutulmalı, bir yüzey yüklenmelidir.</translation>
+    </message>
+    <message>
+        <source>{mesh} on {parts}</source>
+        <translation>{parts} üzerinde {mesh}</translation>
+    </message>
+    <message>
+        <source>Along {name}</source>
+        <translation>{name} boyunca</translation>
+    </message>
+    <message>
+        <source>{mesh} is not on a part: there are no faces to hold or load.</source>
+        <translation>{mesh} bir parça üzerinde değil: tutulacak ya da yüklenecek yüzey yok.</translation>
+    </message>
+    <message>
         <source>Geometry</source>
         <translation>Geometri</translation>
     </message>
@@ -304,6 +388,10 @@
         <translation>{blocks} blok</translation>
     </message>
     <message>
+        <source>A click on a row picks what stands in the way of structured blocks.</source>
+        <translation>Bir satıra tıklamak, yapılandırılmış blokların önündeki engelleri seçer.</translation>
+    </message>
+    <message>
         <source>left out</source>
         <translation>dışarıda kaldı</translation>
     </message>
@@ -314,6 +402,38 @@
     <message>
         <source>Divisions of element {element} along {axis}: expected a whole number, got {text!r}</source>
         <translation>{element}. elemanın {axis} boyunca bölünmeleri: tam sayı beklendi, {text!r} bulundu</translation>
+    </message>
+    <message>
+        <source>Cut solids</source>
+        <translation>Katıları kes</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>düzlem</translation>
+    </message>
+    <message>
+        <source>{count} pieces.</source>
+        <translation>{count} parça.</translation>
+    </message>
+    <message>
+        <source>Nothing stands in the way of blocks.</source>
+        <translation>Blokların önünde engel yok.</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Kesim</translation>
+    </message>
+    <message>
+        <source>Resolves</source>
+        <translation>Giderir</translation>
+    </message>
+    <message>
+        <source>Pick faces or planes in the view first.</source>
+        <translation>Önce görünümde yüzey veya düzlem seçin.</translation>
+    </message>
+    <message>
+        <source>Check a cut, or pick faces and add them.</source>
+        <translation>Bir kesim işaretleyin ya da yüzey seçip ekleyin.</translation>
     </message>
     <message>
         <source>uniform</source>
@@ -608,6 +728,28 @@
     </message>
 </context>
 <context>
+    <name>NMGS_Analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statik çözümleme</translation>
+    </message>
+    <message>
+        <source>Hold and load faces of the part that the picked mesh is on, and solve with CalculiX</source>
+        <translation>Seçilen ağın üzerinde olduğu parçanın yüzeylerini tut ve yükle, CalculiX ile çöz</translation>
+    </message>
+</context>
+<context>
+    <name>NMGS_CutSolids</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Katıları kes</translation>
+    </message>
+    <message>
+        <source>Cut picked solids into pieces that blocks fill: by the faces and planes picked with them, or where it is proposed</source>
+        <translation>Seçilen katıları blokların dolduracağı parçalara keser: birlikte seçilen yüzey ve düzlemlerle ya da önerilen yerlerden</translation>
+    </message>
+</context>
+<context>
     <name>NMGS_Divisions</name>
     <message>
         <source>Divisions and grading</source>
@@ -762,6 +904,105 @@
     </message>
 </context>
 <context>
+    <name>analysis</name>
+    <message>
+        <source>Static analysis</source>
+        <translation>Statik çözümleme</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Malzeme</translation>
+    </message>
+    <message>
+        <source>Fills in the figures below, which can be changed</source>
+        <translation>Aşağıdaki değerleri doldurur; değiştirilebilirler</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastisite modülü</translation>
+    </message>
+    <message>
+        <source>Stress by strain</source>
+        <translation>Gerilme bölü gerinim</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation>Poisson oranı</translation>
+    </message>
+    <message>
+        <source>Strain across by strain along</source>
+        <translation>Enine gerinim bölü boyuna gerinim</translation>
+    </message>
+    <message>
+        <source>Faces that are held</source>
+        <translation>Tutulan yüzeyler</translation>
+    </message>
+    <message>
+        <source>None of their nodes can move; a double click takes a face away</source>
+        <translation>Düğümlerinin hiçbiri hareket edemez; çift tıklama yüzeyi kaldırır</translation>
+    </message>
+    <message>
+        <source>Hold picked faces</source>
+        <translation>Seçilen yüzeyleri tut</translation>
+    </message>
+    <message>
+        <source>Adds the faces that are picked in the view</source>
+        <translation>Görünümde seçilen yüzeyleri ekler</translation>
+    </message>
+    <message>
+        <source>Faces that are loaded</source>
+        <translation>Yüklenen yüzeyler</translation>
+    </message>
+    <message>
+        <source>They share the load; a double click takes a face away</source>
+        <translation>Yükü paylaşırlar; çift tıklama yüzeyi kaldırır</translation>
+    </message>
+    <message>
+        <source>Load picked faces</source>
+        <translation>Seçilen yüzeylere yük ver</translation>
+    </message>
+    <message>
+        <source>A force that all loaded faces share, or a pressure on each</source>
+        <translation>Yüklenen tüm yüzeylerin paylaştığı bir kuvvet ya da her birine bir basınç</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kuvvet</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Basınç</translation>
+    </message>
+    <message>
+        <source>All loaded faces together</source>
+        <translation>Yüklenen tüm yüzeyler birlikte</translation>
+    </message>
+    <message>
+        <source>Into the part</source>
+        <translation>Parçanın içine doğru</translation>
+    </message>
+    <message>
+        <source>The force goes along the straight edge, or the normal of the flat face, that is picked in the view; without any, into the loaded face</source>
+        <translation>Kuvvet, görünümde seçilen düz kenar ya da düz yüzeyin normali boyuncadır; seçim yoksa yüklenen yüzeyin içine doğrudur</translation>
+    </message>
+    <message>
+        <source>The other way round</source>
+        <translation>Ters yönde</translation>
+    </message>
+    <message>
+        <source>Turns the load's direction</source>
+        <translation>Yükün yönünü çevirir</translation>
+    </message>
+    <message>
+        <source>Solve with CalculiX</source>
+        <translation>CalculiX ile çöz</translation>
+    </message>
+    <message>
+        <source>Off: only the analysis is made, to go on with in the FEM workbench</source>
+        <translation>Kapalı: yalnızca çözümleme hazırlanır, FEM tezgâhında sürdürülür</translation>
+    </message>
+</context>
+<context>
     <name>blocking</name>
     <message>
         <source>Fit</source>
@@ -804,12 +1045,43 @@
         <translation>Tıklamak yüzü veya katıyı görünümde seçer</translation>
     </message>
     <message>
+        <source>Cut the solids...</source>
+        <translation>Katıları kes...</translation>
+    </message>
+    <message>
+        <source>Takes these options, then proposes cuts into pieces that structured blocks fill</source>
+        <translation>Bu seçenekleri alır, ardından yapılandırılmış blokların dolduracağı parçalara kesimler önerir</translation>
+    </message>
+    <message>
         <source>Divisions follow the element size</source>
         <translation>Bölünmeler eleman boyuna uyar</translation>
     </message>
     <message>
         <source>Number of elements along each direction of each block</source>
         <translation>Her bloğun her yönündeki eleman sayısı</translation>
+    </message>
+</context>
+<context>
+    <name>cuts</name>
+    <message>
+        <source>Cut solids</source>
+        <translation>Katıları kes</translation>
+    </message>
+    <message>
+        <source>Checked rows cut. Choose a row to see where. What is proposed goes through edges that stand in the way of blocks.</source>
+        <translation>İşaretli satırlar keser. Yerini görmek için bir satır seçin. Öneriler, blokların önünde engel olan kenarlardan geçer.</translation>
+    </message>
+    <message>
+        <source>Cuts, and how many of the edges and vertices in the way lie on each</source>
+        <translation>Kesimler ve engel olan kenar ve köşelerin kaçının her birinin üzerinde olduğu</translation>
+    </message>
+    <message>
+        <source>Add picked faces</source>
+        <translation>Seçilen yüzeyleri ekle</translation>
+    </message>
+    <message>
+        <source>Faces and planes that are picked in the view cut as well; planes and round faces go through the whole solid</source>
+        <translation>Görünümde seçilen yüzey ve düzlemler de keser; düz ve yuvarlak yüzeyler katının tamamından geçer</translation>
     </message>
 </context>
 <context>
