@@ -71,8 +71,8 @@ HEADER = """# Coverage
 Made by `scripts/coverage --write docs/coverage.md` over a folder of CAD files with the default
 settings. Every valid face gets quads and every valid solid hexahedra, or the table says how many
 did not. *Valid*: positive Jacobians, watertight, every vertex of the CAD a node, every edge and
-face covered, area or volume within 1 %. *Good*: besides, the worst scaled Jacobian above 0.2.
-*Structured*: by any strategy but tet-to-hex.
+face covered, the area of a face within 3 % and the volume of a solid within 1 %. *Good*: besides,
+the worst scaled Jacobian above 0.2. *Structured*: by any strategy but tet-to-hex.
 
 """
 

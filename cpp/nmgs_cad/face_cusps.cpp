@@ -34,7 +34,7 @@ bool sharp(const EdgeUse &before, const EdgeUse &use) {
 // The length at which a quad fits into the corner at the start of use u; 0 where it is no cusp.
 double tip_length(const CadShape &shape, int face, const FaceLoop &loop, std::size_t u,
                   const EdgeSizes &sizes) {
-    constexpr double wanted = 0.213; // radians, of the chords
+    constexpr double wanted = 0.203; // radians, of the chords
     constexpr double least = 0.02;   // share of the shorter edge
     constexpr double step = 1.01;
     const std::size_t n = loop.size();
@@ -61,7 +61,7 @@ double tip_length(const CadShape &shape, int face, const FaceLoop &loop, std::si
     for (double s = least * shorter; s <= most && widest < wanted; s *= step) {
         const double a = angle(s);
         // Between a tangent and an arc the chord is off by the area of a segment of the circle.
-        constexpr double share = 0.01;
+        constexpr double share = 0.006;
         if (s * s * a / 6 > share * area) {
             break;
         }

@@ -9,7 +9,7 @@ namespace nmgs::cad {
 // Sets the lengths of the segments at cusps (EdgeSize::tip): the same on both edges, as short as
 // the angle between the chords is wide enough for a good quad in the tip, or where it is widest. A
 // corner between straight edges is no cusp, however sharp: there all lengths have one angle. Nor so
-// long that the chords take or leave more than a hundredth of the face's area. Whether the face has
+// long that the chords there take or leave more than 0.006 of the face's area. Whether the face has
 // any.
 bool size_cusps(const CadShape &shape, int face, const FaceLoops &loops, EdgeSizes &sizes);
 

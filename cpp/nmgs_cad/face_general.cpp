@@ -246,11 +246,11 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
                                       const std::vector<BoundaryLoop> &inner,
                                       const LayoutOptions &options, Refusal &refusal,
                                       const Progress &progress) {
-    std::optional<FaceMesh> best;
-    double best_quality = -2;
     constexpr double good = 0.4;
-    constexpr double fair = 0.25; // of what had to be repaired
+    constexpr double fair = 0.25; // of large layouts, and of what has to be repaired
+    constexpr std::size_t many = 400;
     constexpr std::size_t most = 3000;
+    std::vector<Attempt> attempts; // the best first
     std::size_t tried = 0;
     for (const double scale : {1.0, 0.7, 1.4, 0.5, 0.35}) {
         poll(progress, 0);
@@ -263,22 +263,31 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
             continue;
         }
         tried += made->mesh.quads.size();
-        if (made->quality <= good) {
+        const auto place = std::find_if(attempts.begin(), attempts.end(), [&](const Attempt &a) {
+            return a.quality < made->quality;
+        });
+        attempts.insert(place, std::move(*made));
+        if (attempts.front().quality > (tried > many ? fair : good)) {
+            break;
+        }
+    }
+    std::optional<FaceMesh> best;
+    double best_quality = -2;
+    for (Attempt &made : attempts) {
+        if (made.quality <= fair && best_quality <= fair) {
+            poll(progress, 0);
             constexpr double wanted = 0.3;
-            FaceMesh mended = made->mesh;
-            repair_quads(mended, surface, made->kept, wanted);
+            FaceMesh mended = made.mesh;
+            repair_quads(mended, surface, made.kept, wanted);
             const double quality = worst_avoidable(mended, surface);
-            if (quality >= made->quality) {
-                made->quality = quality;
-                made->mesh = std::move(mended);
+            if (quality >= made.quality) {
+                made.quality = quality;
+                made.mesh = std::move(mended);
             }
         }
-        if (made->quality > best_quality) {
-            best_quality = made->quality;
-            best = std::move(made->mesh);
-        }
-        if (best_quality > fair) {
-            break;
+        if (made.quality > best_quality) {
+            best_quality = made.quality;
+            best = std::move(made.mesh);
         }
     }
     return best;

@@ -6,8 +6,11 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -18,6 +21,7 @@
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Pln.hxx>
 
 #include <gtest/gtest.h>
@@ -273,6 +277,65 @@ TEST(FaceLayout, LinesOfMidpointSubdivisionMeet) {
     }
     EXPECT_FALSE(midpoint_lines({1, 1, 1})); // odd
     EXPECT_FALSE(midpoint_lines({2, 2, 8})); // one longer than the others together
+}
+
+std::set<std::int32_t> points_of_quads(const Layout &layout) {
+    std::set<std::int32_t> used;
+    for (const auto &quad : layout.quads) {
+        used.insert(quad.points.begin(), quad.points.end());
+    }
+    return used;
+}
+
+TEST(FaceLayout, AVertexInsideAFaceIsAPoint) {
+    TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), 0, 4, 0, 3).Face();
+    const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(1.2, 0.9, 0)).Vertex();
+    BRep_Builder().Add(face, vertex.Oriented(TopAbs_INTERNAL));
+    const CadShape shape = make_shape(face);
+    Layout layout(shape);
+    std::vector<FitEntry> report;
+    layout_faces(shape, std::vector<int>{1}, layout, {}, report);
+    ASSERT_EQ(report.size(), 1U);
+    EXPECT_GT(report[0].quality, 0.2);
+    const int number = shape.vertices.FindIndex(vertex);
+    ASSERT_GT(number, 0);
+    EXPECT_TRUE(points_of_quads(layout).contains(layout.vertex(shape, number)));
+    expect_conforming(shape, layout, false);
+}
+
+TEST(FaceLayout, AnEdgeInsideAFaceIsCovered) {
+    TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), 0, 4, 0, 3).Face();
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, 0), gp_Pnt(2.5, 1.5, 0)).Edge();
+    TopoDS_Wire wire;
+    BRep_Builder builder;
+    builder.MakeWire(wire);
+    builder.Add(wire, edge.Oriented(TopAbs_INTERNAL));
+    builder.Add(face, wire);
+    const CadShape shape = make_shape(face);
+    Layout layout(shape);
+    std::vector<FitEntry> report;
+    layout_faces(shape, std::vector<int>{1}, layout, {}, report);
+    ASSERT_EQ(report.size(), 1U);
+    ASSERT_FALSE(report[0].method.empty()) << report[0].reason;
+    EXPECT_GT(report[0].quality, 0.2);
+    expect_conforming(shape, layout, false);
+}
+
+// A long plate round a flat hole: two loops, but no ring of good quads fits between them.
+TEST(FaceLayout, WhatIsNoGoodAsARingIsDividedAnew) {
+    BRepBuilderAPI_MakeFace plate(gp_Pln(gp::XOY()), -2.5, 2.5, -0.5, 0.5);
+    const gp_Elips hole(gp_Ax2(gp::Origin(), gp::DZ(), gp::DX()), 1.2, 0.2);
+    plate.Add(TopoDS::Wire(
+        BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(hole).Edge()).Wire().Reversed()));
+    const CadShape shape = make_shape(plate.Face());
+    Layout layout(shape);
+    LayoutOptions options;
+    options.angle = std::numbers::pi / 4;
+    std::vector<FitEntry> report;
+    layout_faces(shape, std::vector<int>{1}, layout, options, report);
+    ASSERT_EQ(report.size(), 1U);
+    EXPECT_GT(report[0].quality, 0.25);
+    expect_conforming(shape, layout, false);
 }
 
 } // namespace

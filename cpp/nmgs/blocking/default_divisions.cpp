@@ -144,7 +144,7 @@ Divisions divide(const BlockModel &model, const Chains &chains, const Needs &nee
         if (needs.single[chain] != 0) {
             // As few as will do for what else is on the chain.
             constexpr double longer = 6;
-            constexpr double bent = 2.6;
+            constexpr double bent = 2.35;
             wanted = std::max(needs.length[chain] / (longer * size),
                               needs.angles[chain] / (bent * coarser));
         }
