@@ -31,7 +31,7 @@ double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 
 constexpr double smooth_cosine = 0.64;    // of the angle between normals: 50 degrees
 constexpr double straight_cosine = -0.76; // of the angle between edges: 140 degrees
-constexpr double grazing_sine = 0.2;       // of the angle between an edge and the skin
+constexpr double grazing_sine = 0.2;      // of the angle between an edge and the skin
 
 } // namespace
 
