@@ -164,7 +164,8 @@ double cut_by_covers(const CadShape &shape, std::span<const int> solids, const S
                 cuts.push_back(cut);
             }
         }
-        if (cuts.empty() || state->cuts.size() + cuts.size() > most_cuts || work <= least) {
+        if (cuts.empty() || state->cuts.size() + cuts.size() > most_cuts || work <= least ||
+            late(options)) {
             return -1;
         }
         Refusal ignored;
@@ -257,7 +258,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
             if (used(cut)) {
                 continue;
             }
-            if (tried++ == tries || work <= 0) {
+            if (tried++ == tries || work <= 0 || late(options)) {
                 break;
             }
             poll(progress,
@@ -273,7 +274,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
         std::stable_sort(found.begin(), found.end(),
                          [](const State &a, const State &b) { return a.weight < b.weight; });
         for (std::size_t n = 0; n < std::min(found.size(), most_promising); ++n) {
-            if (state->cuts.size() >= first_cuts || work <= 0 ||
+            if (state->cuts.size() >= first_cuts || work <= 0 || late(options) ||
                 found[n].pieces.cad.solids.Extent() > few_pieces) {
                 continue;
             }

@@ -240,7 +240,7 @@ bool fill_with(const CadShape &shape, int solid, double margin, Budget &budget, 
         }
         return result;
     };
-    for (int round = 0; pieces && round < most_cuts; ++round) {
+    for (int round = 0; pieces && round < most_cuts && !late(options); ++round) {
         poll(progress, static_cast<double>(round) / most_cuts);
         const CadShape &cad = pieces->cad;
         const auto bad = bad_pieces(cad);
@@ -267,7 +267,7 @@ bool fill_with(const CadShape &shape, int solid, double margin, Budget &budget, 
                 continue;
             }
             if (bad_pieces(next->cad).empty()) {
-                if (--budget.fillings < 0) {
+                if (--budget.fillings < 0 || late(options)) {
                     return false;
                 }
                 const auto of_pieces = fill_pieces(*next, options, refusal, progress);

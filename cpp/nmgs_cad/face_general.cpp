@@ -15,6 +15,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <span>
 
 namespace nmgs::cad {
 namespace {
@@ -250,9 +251,12 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
     constexpr double fair = 0.25; // of large layouts, and of what has to be repaired
     constexpr std::size_t many = 400;
     constexpr std::size_t most = 3000;
+    constexpr double scales[] = {1.0, 0.7, 1.4, 0.5, 0.35};
+    // A search over cuts lays out hundreds of sections.
+    const bool quick = options.attempts < LayoutOptions{}.attempts;
     std::vector<Attempt> attempts; // the best first
     std::size_t tried = 0;
-    for (const double scale : {1.0, 0.7, 1.4, 0.5, 0.35}) {
+    for (const double scale : std::span(scales).first(quick ? 2 : std::size(scales))) {
         poll(progress, 0);
         if (tried > most) {
             break;
@@ -273,7 +277,8 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
     }
     std::optional<FaceMesh> best;
     double best_quality = -2;
-    for (Attempt &made : attempts) {
+    for (Attempt &made : std::span(attempts).first(
+             std::min<std::size_t>(quick ? 1 : attempts.size(), attempts.size()))) {
         if (made.quality <= fair && best_quality <= fair) {
             poll(progress, 0);
             constexpr double wanted = 0.3;

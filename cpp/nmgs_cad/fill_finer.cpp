@@ -28,6 +28,9 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     // What neighbours have laid out may ask for a finer layout than the first.
     for (const Step &step : std::span(steps).first(most)) {
         poll(progress, 0.0);
+        if (best && late(options)) {
+            break;
+        }
         LayoutOptions finer = options;
         finer.angle *= step.angle;
         if (step.pieces > 0) {

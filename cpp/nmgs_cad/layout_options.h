@@ -5,6 +5,7 @@
 #include "nmgs_cad/layout.h"
 #include "nmgs_cad/refusal.h"
 
+#include <chrono>
 #include <numbers>
 
 namespace nmgs::cad {
@@ -18,7 +19,13 @@ struct LayoutOptions {
     // What searches over cuts may still do: the faces of all the pieces that they look at, which
     // they take from it. None: as much as one search ever needs.
     int *cut_work = nullptr;
+    // Searches over cuts end then, whatever they still may do: a mesh must come in time.
+    std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
+
+inline bool late(const LayoutOptions &options) {
+    return std::chrono::steady_clock::now() > options.until;
+}
 
 // A way to fill a solid with hexahedra. True: they were added to the layout. False: the layout is
 // as it was and the refusal says why. What the layout already has on the solid's edges and faces

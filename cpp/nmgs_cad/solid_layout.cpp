@@ -386,6 +386,11 @@ std::vector<FitEntry> layout_solids(const CadShape &shape, std::span<const int> 
     constexpr int for_one = 4000;
     constexpr int for_each = 300;
     int left = 2 * for_one + for_each * static_cast<int>(groups.size());
+    // Pieces of a search have its end.
+    constexpr std::chrono::seconds patience{40};
+    const auto until = options.layout.until == std::chrono::steady_clock::time_point::max()
+                           ? std::chrono::steady_clock::now() + patience
+                           : options.layout.until;
     std::vector<Known> known;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         poll(progress, static_cast<double>(g) / static_cast<double>(groups.size()));
@@ -394,6 +399,7 @@ std::vector<FitEntry> layout_solids(const CadShape &shape, std::span<const int> 
         const int share = std::min(for_one, left / static_cast<int>(groups.size() - g));
         int work = share;
         mine.layout.cut_work = &work;
+        mine.layout.until = until;
         const bool alone = group.size() == 1 && groups.size() > 1 && options.method == "auto";
         const SolidLikeness likeness = alone ? likeness_of(shape, group.front()) : SolidLikeness{};
         const FitEntry *same = alone ? known_of(known, likeness) : nullptr;
