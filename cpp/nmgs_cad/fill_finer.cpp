@@ -32,6 +32,7 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
             break;
         }
         LayoutOptions finer = options;
+        finer.attempts = 1; // the steps here are what is tried
         finer.angle *= step.angle;
         if (step.pieces > 0) {
             const double size = extent_of(shape.solid(solid)) / step.pieces;
