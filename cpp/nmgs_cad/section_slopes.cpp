@@ -33,6 +33,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace nmgs::cad {
@@ -49,7 +50,55 @@ struct Cap {
     bool plane = false, across = false;
     double low = 0, high = 0; // levels of its vertices, and of samples
     int sheet = 0;
+    // Where the last line met the surface: the next one is near.
+    mutable std::optional<gp_Pnt2d> last;
 };
+
+// The level where the line through a place along the sweep meets the surface, by Newton's method
+// from where the last line did; nothing when it does not converge.
+std::optional<double> level_near(const Cap &cap, Vec3 place, Vec3 direction) {
+    if (!cap.last) {
+        return std::nullopt;
+    }
+    const Vec3 axis = std::abs(direction.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 s = unit(cross(direction, axis));
+    const Vec3 t = cross(direction, s);
+    double u = cap.last->X();
+    double v = cap.last->Y();
+    double u_low = 0;
+    double u_high = 0;
+    double v_low = 0;
+    double v_high = 0;
+    cap.surface->Bounds(u_low, u_high, v_low, v_high);
+    constexpr int rounds = 12;
+    for (int round = 0; round < rounds; ++round) {
+        gp_Pnt p;
+        gp_Vec du;
+        gp_Vec dv;
+        cap.surface->D1(u, v, p, du, dv);
+        const Vec3 off = vec(p) - place;
+        const double a = dot(off, s);
+        const double b = dot(off, t);
+        const double as = dot(vec(du), s);
+        const double at = dot(vec(du), t);
+        const double bs = dot(vec(dv), s);
+        const double bt = dot(vec(dv), t);
+        if (a * a + b * b < 1e-24 * (1 + norm2(vec(p)))) {
+            cap.last = gp_Pnt2d(u, v);
+            return dot(vec(p), direction);
+        }
+        const double det = as * bt - at * bs;
+        if (!(std::abs(det) > 1e-12 * (du.SquareMagnitude() + dv.SquareMagnitude()))) {
+            return std::nullopt;
+        }
+        u -= (a * bt - b * bs) / det;
+        v -= (b * as - a * at) / det;
+        if (!(u >= u_low && u <= u_high && v >= v_low && v <= v_high)) {
+            return std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
 
 // What the heights are asked of.
 struct Slopes {
@@ -74,6 +123,10 @@ double Slopes::level_at(const Cap &cap, Vec3 place) const {
     }
     const gp_Dir d(direction.x, direction.y, direction.z);
     const double gap = 0.05 * (cap.high - cap.low) + 100 * tolerance;
+    const auto near = level_near(cap, place, direction);
+    if (near && *near >= cap.low && *near <= cap.high) {
+        return *near;
+    }
     const double here = dot(place, direction);
     Handle(Geom_Curve) line =
         new Geom_TrimmedCurve(new Geom_Line(gp_Pnt(place.x, place.y, place.z), d),
@@ -88,6 +141,11 @@ double Slopes::level_at(const Cap &cap, Vec3 place) const {
             if (off < outside) {
                 outside = off;
                 best = t;
+                double u = 0;
+                double v = 0;
+                double w = 0;
+                meet.Parameters(i, u, v, w);
+                cap.last = gp_Pnt2d(u, v);
             }
         }
     }

@@ -86,6 +86,9 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     refusal = {"no two of its plane faces are parallel", {entity_name(3, solid)}};
     Directions found = directions(shape, solid);
     for (const gp_Dir &direction : found.normals) {
+        if (late(options)) {
+            break;
+        }
         poll(progress, 0.0);
         Section section;
         if (section_along(shape, solid, direction, layout, section, refusal) &&
@@ -98,6 +101,9 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     }
     found.normals.insert(found.normals.end(), found.axes.begin(), found.axes.end());
     for (const gp_Dir &direction : found.normals) {
+        if (late(options)) {
+            break;
+        }
         poll(progress, 0.0);
         Section section;
         Refusal why;
