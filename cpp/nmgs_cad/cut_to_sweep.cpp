@@ -68,7 +68,7 @@ std::vector<Candidate> candidates_of(const CadShape &cad, const Sweepability &sw
     constexpr std::size_t most_directions = 3;
     for (std::size_t d = 0; d < std::min(most_directions, sweep.directions.size()); ++d) {
         for (FeatureBox &box : feature_boxes(cad, 1, sweep.directions[d], margin)) {
-            result.push_back({std::move(box.faces), std::move(box.name), 0});
+            result.push_back({box.faces, std::move(box.name), 0});
         }
     }
     Refusal refusal;
@@ -90,7 +90,7 @@ std::vector<Candidate> candidates_of(const CadShape &cad, const Sweepability &sw
         }
         TopTools_ListOfShape faces;
         faces.Append(cut_face(cad, cut));
-        result.push_back({std::move(faces), cut.name, 0});
+        result.push_back({faces, cut.name, 0});
     }
     return result;
 }

@@ -19,7 +19,7 @@ Vec3 place(const EdgeSize &size, bool from_start, double length) {
     const double x = (from_start ? f : 1 - f) * pieces;
     // The quadratic through three of the places: a chord's error would be an angle of its own.
     const auto i =
-        std::clamp<std::size_t>(static_cast<std::size_t>(x + 0.5), 1, size.at.size() - 2);
+        std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(x)), 1, size.at.size() - 2);
     const double t = x - static_cast<double>(i);
     return 0.5 * t * (t - 1) * size.at[i - 1] + (1 - t * t) * size.at[i] +
            0.5 * t * (t + 1) * size.at[i + 1];
