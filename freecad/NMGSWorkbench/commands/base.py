@@ -55,14 +55,11 @@ class Command:
         if sources:
             with stale.forced():
                 obj.Document.recompute(sources)
-        # Not by the document: that would write a traceback into the report view for each error.
         try:
-            obj.Proxy.compute(obj)
+            stale.compute(obj)
         except Exception as error:
             self.culprits = obj.Proxy.culprits(getattr(error, "entities", ()))
             raise
-        obj.purgeTouched()
-        stale.mark(obj, False)
         return obj
 
     def Activated(self, index: int = 0) -> None:

@@ -111,15 +111,11 @@ def _set_number(load: Any, name: str, value: float, unit: str) -> None:
     setattr(load, name, value if isinstance(getattr(load, name), float) else f"{value} {unit}")
 
 
-def _at_once(job: Callable[[Any], Any], text: str) -> Any:
-    return job(None)
-
-
-def solve(analysis: Any, folder: Optional[str] = None, run: Runner = _at_once) -> Any:
+def solve(analysis: Any, folder: Optional[str] = None, run: Optional[Runner] = None) -> Any:
     """Runs CalculiX and returns the result object, a Fem::FemResultObject, also in the analysis.
 
     folder: where the input file and CalculiX's output go; None for a temporary one. run: how
-    CalculiX itself is waited for; the document is not touched meanwhile.
+    CalculiX itself is waited for, plainly if none; the document is not touched meanwhile.
     Raises SolverError with the words of FEM's checks or of CalculiX, Cancelled.
     """
     from femtools import ccxtools
@@ -142,7 +138,10 @@ def solve(analysis: Any, folder: Optional[str] = None, run: Runner = _at_once) -
         raise SolverError("FEM could not write CalculiX's input file; see the report view")
     require_loads(tools.inp_file_name)
     binary, path = tools.ccx_binary, tools.inp_file_name
-    code, output = run(lambda progress: run_calculix(binary, path, progress), "CalculiX")
+    if run is None:
+        code, output = run_calculix(binary, path)
+    else:
+        code, output = run(lambda progress: run_calculix(binary, path, progress), "CalculiX")
     if code != 0:
         raise SolverError(f"CalculiX ended with code {code}: {output[-2000:]}")
     tools.load_results()

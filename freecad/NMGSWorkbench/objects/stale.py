@@ -54,6 +54,14 @@ def mark(obj: Any, is_stale: bool) -> None:
             view.show_stale(obj.ViewObject)
 
 
+def compute(obj: Any) -> None:
+    """Computes one object now, whatever is preferred; raises what its computation does."""
+    # Not by the document: that would write a traceback into the report view for each error.
+    obj.Proxy.compute(obj)
+    obj.purgeTouched()
+    mark(obj, False)
+
+
 def update(document: Any) -> List[Any]:
     """Computes what is stale, what it depends on first. Returns these objects."""
     found = [obj for obj in document.Objects if getattr(obj, "Stale", False)]

@@ -16,7 +16,7 @@ from ..objects.sources import Entity
 from ..resources import icon, ui
 from ..texts import tr
 from . import messages
-from .base import flags_value
+from .base import ok_cancel, tell
 from .model_panel import close
 
 #: Name, Young's modulus in MPa, Poisson's ratio: rounded figures of handbooks.
@@ -120,12 +120,10 @@ class AnalysisPanel:
         ]
 
     def _tell(self, problem: str) -> None:
-        self.form.problem.setText(problem)
-        self.form.problem.setVisible(bool(problem))
+        tell(self.form, problem)
 
     def getStandardButtons(self) -> int:
-        box = QtGui.QDialogButtonBox
-        return flags_value(box.Ok | box.Cancel)
+        return ok_cancel()
 
     def accept(self) -> bool:
         if not self.held or not self.loaded:

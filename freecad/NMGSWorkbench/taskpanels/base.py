@@ -19,6 +19,18 @@ def flags_value(flags: Any) -> int:
     return flags.value if hasattr(flags, "value") else int(flags)
 
 
+def ok_cancel() -> int:
+    """The buttons of a panel that has no Apply, as FreeCAD asks for them."""
+    box = QtGui.QDialogButtonBox
+    return flags_value(box.Ok | box.Cancel)
+
+
+def tell(form: Any, problem: str) -> None:
+    """Words below a form's widgets; "" takes them away."""
+    form.problem.setText(problem)
+    form.problem.setVisible(bool(problem))
+
+
 class Panel:
     """Base. A subclass sets the names and writes fill(), which shows the properties, and store(),
     which writes the widgets into them."""

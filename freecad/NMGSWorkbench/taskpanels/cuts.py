@@ -16,7 +16,7 @@ from ..resources import icon, ui
 from ..texts import tr
 from ..viewproviders.preview import Preview
 from . import culprits, messages, tables
-from .base import flags_value
+from .base import ok_cancel, tell
 from .model_panel import close
 
 _DELAY_MS = 60
@@ -85,8 +85,7 @@ class CutsPanel:
         if not proposals and not problem:
             text += " " + tr("Nothing stands in the way of blocks.")
         self.form.summary.setText(text)
-        self.form.problem.setText(problem)
-        self.form.problem.setVisible(bool(problem))
+        tell(self.form, problem)
         self.draw()
 
     def _fill(self) -> None:
@@ -129,8 +128,7 @@ class CutsPanel:
                 found += [(pick.Object, name) for name in names or ("",)]
         rows = [_tool_row(entity) for entity in found]
         if not rows:
-            self.form.problem.setText(tr("Pick faces or planes in the view first."))
-            self.form.problem.setVisible(True)
+            tell(self.form, tr("Pick faces or planes in the view first."))
             return
         self.made += [row for row in rows if row not in self.made]
         self.update()
@@ -177,13 +175,11 @@ class CutsPanel:
         return nodes
 
     def getStandardButtons(self) -> int:
-        box = QtGui.QDialogButtonBox
-        return flags_value(box.Ok | box.Cancel)
+        return ok_cancel()
 
     def accept(self) -> bool:
         if self.obj is None and not self.made:
-            self.form.problem.setText(tr("Check a cut, or pick faces and add them."))
-            self.form.problem.setVisible(True)
+            tell(self.form, tr("Check a cut, or pick faces and add them."))
             return False
         title = tr("Cut solids")
         self.document.openTransaction(title)
@@ -191,9 +187,7 @@ class CutsPanel:
             obj = self._stored()
             if self.blocks is not None:
                 self.blocks.Source = [(obj, _names(obj))]
-                self.blocks.Proxy.compute(self.blocks)
-                self.blocks.purgeTouched()
-                stale.mark(self.blocks, False)
+                stale.compute(self.blocks)
         except Exception as error:
             self.document.abortTransaction()
             messages.show_error(title, error)
@@ -217,8 +211,7 @@ class CutsPanel:
         tools, cuts = self._values()
         obj.Tools = tools
         obj.Cuts = [cut_solids.line_of(cut) for cut in cuts]
-        obj.Proxy.compute(obj)
-        obj.purgeTouched()
+        stale.compute(obj)
         return obj
 
     def reject(self) -> bool:

@@ -13,7 +13,7 @@ from PySide import QtCore, QtGui
 from .. import gallery, resources
 from ..texts import tr
 from . import messages
-from .base import flags_value
+from .base import ok_cancel
 
 _PICTURE = QtCore.QSize(150, 120)
 
@@ -52,8 +52,7 @@ class ExamplesPanel:
         self.list.itemDoubleClicked.connect(lambda _: self.accept())
 
     def getStandardButtons(self) -> int:
-        box = QtGui.QDialogButtonBox
-        return flags_value(box.Ok | box.Cancel)
+        return ok_cancel()
 
     def accept(self) -> bool:
         FreeCADGui.Control.closeDialog()

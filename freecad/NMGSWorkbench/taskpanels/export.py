@@ -15,7 +15,7 @@ from ..objects.run import run
 from ..resources import icon, ui
 from ..texts import tr
 from . import messages
-from .base import flags_value
+from .base import ok_cancel
 
 
 class ExportPanel:
@@ -91,8 +91,7 @@ class ExportPanel:
         ]
 
     def getStandardButtons(self) -> int:
-        box = QtGui.QDialogButtonBox
-        return flags_value(box.Ok | box.Cancel)
+        return ok_cancel()
 
     def accept(self) -> bool:
         form, content = self.form, self.content

@@ -16,7 +16,7 @@ from ..resources import icon, ui
 from ..texts import tr
 from ..viewproviders.preview import Preview
 from . import messages
-from .base import flags_value
+from .base import ok_cancel, tell
 
 _DELAY_MS = 120
 
@@ -85,12 +85,10 @@ class ModelPanel:
         self.preview.show(node)
 
     def _tell(self, problem: str) -> None:
-        self.form.problem.setText(problem)
-        self.form.problem.setVisible(bool(problem))
+        tell(self.form, problem)
 
     def getStandardButtons(self) -> int:
-        box = QtGui.QDialogButtonBox
-        return flags_value(box.Ok | box.Cancel)
+        return ok_cancel()
 
     def accept(self) -> bool:
         title = self.title if self.obj is None else tr("Edit {name}").format(name=self.obj.Label)

@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 from ..resources import icon, ui
 from ..texts import tr
 from . import messages
-from .base import flags_value
+from .base import flags_value, ok_cancel
 
 KINDS = {"png": "PNG picture", "pdf": "PDF file", "svg": "SVG drawing"}
 _BACKGROUNDS = ("White", "Current", "Transparent")
@@ -70,8 +70,7 @@ class PicturePanel:
         FreeCADGui.runCommand("Std_Print")
 
     def getStandardButtons(self) -> int:
-        box = QtGui.QDialogButtonBox
-        return flags_value(box.Ok | box.Cancel)
+        return ok_cancel()
 
     def accept(self) -> bool:
         form = self.form

@@ -11,7 +11,7 @@ from PySide import QtGui
 from ..nmgs.report import METRICS
 from ..resources import icon, ui
 from ..texts import tr
-from .base import flags_value
+from .base import ok_cancel
 
 _CHECKS = {"xi": "FacesXi", "eta": "FacesEta", "zeta": "FacesZeta", "cut_flip": "CutFlip"}
 _COMBOS = {"plot_as": "PlotAs", "cut": "Cut"}
@@ -73,8 +73,7 @@ class PlotPanel:
         setattr(self.view, prop, value)
 
     def getStandardButtons(self) -> int:
-        box = QtGui.QDialogButtonBox
-        return flags_value(box.Ok | box.Cancel)
+        return ok_cancel()
 
     def accept(self) -> bool:
         FreeCADGui.Control.closeDialog()
