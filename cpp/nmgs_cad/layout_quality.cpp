@@ -15,15 +15,17 @@
 namespace nmgs::cad {
 namespace {
 
-// Which blocks end in a tip; the chains through these get one division.
+// One division for the chains that any other number would spoil. Which blocks end in a knife edge.
 std::vector<char> keep_tips_whole(BlockModel &model) {
-    std::vector<char> tip(model.size(), 0);
+    std::vector<char> knife(model.size(), 0);
     std::vector<std::array<bool, 3>> spoilt(model.size());
     bool any = false;
     for (std::size_t b = 0; b < model.size(); ++b) {
         spoilt[b] = spoilt_by_division(model.element(b).first<20>());
-        tip[b] = spoilt[b][0] || spoilt[b][1] || spoilt[b][2] ? 1 : 0;
-        any = any || tip[b] != 0;
+        if (spoilt[b][0] || spoilt[b][1] || spoilt[b][2]) {
+            knife[b] = ends_in_knife(model.element(b).first<20>()) ? 1 : 0;
+            any = true;
+        }
     }
     if (any) {
         const Chains chains = find_chains(model, find_topology(model));
@@ -38,7 +40,7 @@ std::vector<char> keep_tips_whole(BlockModel &model) {
             }
         }
     }
-    return tip;
+    return knife;
 }
 
 } // namespace
@@ -50,7 +52,7 @@ LayoutQuality layout_quality(const CadShape &shape, const Layout &layout, std::s
     CadBlocks blocks = split_tips(shape, blocks_of(shape, part, 3), shape.diagonal() / 30);
     std::fill(blocks.model.divisions.begin(), blocks.model.divisions.end(),
               std::array<std::int32_t, 3>{divisions, divisions, divisions});
-    const std::vector<char> tip = keep_tips_whole(blocks.model);
+    const std::vector<char> knife = keep_tips_whole(blocks.model);
     try {
         const Mesh mesh =
             generate_on_cad(shape, blocks, 1, {.tolerance = -1, .force = true, .improve = false});
@@ -70,7 +72,7 @@ LayoutQuality layout_quality(const CadShape &shape, const Layout &layout, std::s
         for (std::size_t b = 0; b < blocks.model.size(); ++b) {
             const auto &g = blocks.model.divisions[b];
             for (const std::size_t end = cell + at(g[0] * g[1] * g[2]); cell < end; ++cell) {
-                if (tip[b] == 0) {
+                if (knife[b] == 0) {
                     result.avoidable = std::min(result.avoidable, all[cell]);
                 }
             }

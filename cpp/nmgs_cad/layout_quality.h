@@ -12,12 +12,12 @@ namespace nmgs::cad {
 struct LayoutQuality {
     double worst = -1;     // scaled Jacobian (Verdict's) of the worst hexahedron
     double volume = 0;     // of the mesh
-    double avoidable = -1; // the worst of those that are not in the tips of blocks
+    double avoidable = -1; // the worst of those that are at no knife edge
 
-    // Whether nothing better can be hoped for: tips are as good as the CAD's angles let them be.
+    // Whether nothing better can be hoped for: at knife edges it is as the CAD's angles let it be.
     [[nodiscard]] bool reaches(double good) const {
-        constexpr double in_tips = 0.15; // smoothing makes it 0.2
-        return avoidable >= good && worst >= std::min(good, in_tips);
+        constexpr double at_knives = 0.15; // smoothing makes it 0.2
+        return avoidable >= good && worst >= std::min(good, at_knives);
     }
 };
 

@@ -79,6 +79,16 @@ TEST(Cusp, OfABlockIsSpoiltAcrossTheTipOnly) {
     EXPECT_EQ(spoilt_by_division(cube), (std::array{false, false, false}));
 }
 
+TEST(Cusp, AKnifeEdgeIsSharpNotStraight) {
+    EXPECT_TRUE(ends_in_knife(carried(tip(0.41))));
+    // The circle goes straight on as a line.
+    const auto on = [](double a) { return Vec3{std::sin(a), 1 - std::cos(a), 0}; };
+    auto patch = straight({{{0, 0, 0}, on(0.41), {0, 1, 0}, {-0.4, 0, 0}}});
+    patch[4] = on(0.205);
+    EXPECT_TRUE(spoilt_by_division(carried(patch))[0]);
+    EXPECT_FALSE(ends_in_knife(carried(patch)));
+}
+
 TEST(Cusp, EndsOfABlockTakeWhatTheirCornersNeed) {
     const auto nodes = carried(tip(1.0));
     const auto on_circle = [&](std::size_t c, std::size_t d, double f) {

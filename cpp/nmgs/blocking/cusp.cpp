@@ -60,6 +60,21 @@ double jacobian(const EdgePlace &edges, const Corner &corner, const std::array<d
     return sizes > 0 ? corner.sign * determinant(edge[0], edge[1], edge[2]) / sizes : -1;
 }
 
+// The directions along which two divisions would spoil the corner.
+std::array<bool, 3> spoilt_at(const EdgePlace &edges, const Corner &corner) {
+    constexpr double sound = 0.15; // what a corner is at least that is worth keeping
+    constexpr double worse = 0.85; // times what it is undivided
+    std::array<bool, 3> result{};
+    const double whole = jacobian(edges, corner, {1, 1, 1});
+    for (std::size_t d = 0; d < 3 && whole >= sound; ++d) {
+        std::array<double, 3> halved{1, 1, 1};
+        halved[d] = 0.5;
+        const double then = jacobian(edges, corner, halved);
+        result[d] = then < 0.99 * wanted && then < worse * whole;
+    }
+    return result;
+}
+
 } // namespace
 
 bool ends_in_cusp(std::span<const Vec3> nodes) {
@@ -102,23 +117,32 @@ EdgePlace edges_of(std::span<const Vec3, 20> nodes) {
 }
 
 std::array<bool, 3> spoilt_by_division(std::span<const Vec3, 20> nodes) {
-    constexpr double sound = 0.15; // what a corner is at least that is worth keeping
-    constexpr double worse = 0.85; // times what it is undivided
     std::array<bool, 3> result{};
     const EdgePlace edges = edges_of(nodes);
     for (const Corner &corner : corners()) {
-        const double whole = jacobian(edges, corner, {1, 1, 1});
-        if (whole < sound) {
-            continue;
-        }
+        const auto spoilt = spoilt_at(edges, corner);
         for (std::size_t d = 0; d < 3; ++d) {
-            std::array<double, 3> halved{1, 1, 1};
-            halved[d] = 0.5;
-            const double then = jacobian(edges, corner, halved);
-            result[d] = result[d] || (then < 0.99 * wanted && then < worse * whole);
+            result[d] = result[d] || spoilt[d];
         }
     }
     return result;
+}
+
+bool ends_in_knife(std::span<const Vec3, 20> nodes) {
+    constexpr double near = 0.02;  // of an edge, for its tangent
+    constexpr double sharp = 0.94; // cosine of the angle between tangents
+    const EdgePlace edges = edges_of(nodes);
+    return std::any_of(corners().begin(), corners().end(), [&](const Corner &corner) {
+        const auto spoilt = spoilt_at(edges, corner);
+        if (std::none_of(spoilt.begin(), spoilt.end(), [](bool s) { return s; })) {
+            return false;
+        }
+        const auto along = [&](std::size_t d) {
+            return unit(edges(corner.at, d % 3, near) - nodes[corner.at]);
+        };
+        return dot(along(0), along(1)) > sharp || dot(along(1), along(2)) > sharp ||
+               dot(along(2), along(0)) > sharp;
+    });
 }
 
 std::array<std::array<double, 2>, 3> shares_of_ends(std::span<const Vec3, 20> nodes,
