@@ -4,6 +4,7 @@
 #include "nmgs/support/error.h"
 #include "nmgs_cad/cad_geometry.h"
 #include "nmgs_cad/occt_vec.h"
+#include "nmgs_cad/without_locations.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
@@ -73,7 +74,7 @@ CadShape read_brep(std::string_view bytes) {
     if (shape.IsNull()) {
         throw GeometryError("shape: it is empty, or not a BREP of OpenCASCADE", {});
     }
-    return make_shape(shape);
+    return without_locations(make_shape(shape));
 }
 
 std::string entity_name(int dimension, int index) {
