@@ -15,15 +15,18 @@
 namespace nmgs::cad {
 namespace {
 
-// One division for the chains that any other number would spoil. Which blocks end in a knife edge.
-std::vector<char> keep_tips_whole(BlockModel &model) {
-    std::vector<char> knife(model.size(), 0);
+// What a block's worst corner is.
+enum class Tip : char { none, straight, knife };
+
+// One division for the chains that any other number would spoil.
+std::vector<Tip> keep_tips_whole(BlockModel &model) {
+    std::vector<Tip> tip(model.size(), Tip::none);
     std::vector<std::array<bool, 3>> spoilt(model.size());
     bool any = false;
     for (std::size_t b = 0; b < model.size(); ++b) {
         spoilt[b] = spoilt_by_division(model.element(b).first<20>());
         if (spoilt[b][0] || spoilt[b][1] || spoilt[b][2]) {
-            knife[b] = ends_in_knife(model.element(b).first<20>()) ? 1 : 0;
+            tip[b] = ends_in_knife(model.element(b).first<20>()) ? Tip::knife : Tip::straight;
             any = true;
         }
     }
@@ -40,7 +43,7 @@ std::vector<char> keep_tips_whole(BlockModel &model) {
             }
         }
     }
-    return knife;
+    return tip;
 }
 
 } // namespace
@@ -52,7 +55,7 @@ LayoutQuality layout_quality(const CadShape &shape, const Layout &layout, std::s
     CadBlocks blocks = split_tips(shape, blocks_of(shape, part, 3), shape.diagonal() / 30);
     std::fill(blocks.model.divisions.begin(), blocks.model.divisions.end(),
               std::array<std::int32_t, 3>{divisions, divisions, divisions});
-    const std::vector<char> knife = keep_tips_whole(blocks.model);
+    const std::vector<Tip> tip = keep_tips_whole(blocks.model);
     try {
         const Mesh mesh =
             generate_on_cad(shape, blocks, 1, {.tolerance = -1, .force = true, .improve = false});
@@ -68,13 +71,19 @@ LayoutQuality layout_quality(const CadShape &shape, const Layout &layout, std::s
             result.worst = *std::min_element(all.begin(), all.end());
             result.avoidable = 1;
         }
+        // Straight corners come to little more than 0.2 (see cusp.h).
+        constexpr double straight = 0.25;
         std::size_t cell = 0;
         for (std::size_t b = 0; b < blocks.model.size(); ++b) {
             const auto &g = blocks.model.divisions[b];
             for (const std::size_t end = cell + at(g[0] * g[1] * g[2]); cell < end; ++cell) {
-                if (knife[b] == 0) {
+                if (tip[b] != Tip::knife) {
                     result.avoidable = std::min(result.avoidable, all[cell]);
                 }
+            }
+            if (tip[b] == Tip::straight) {
+                result.avoidable = std::min(result.avoidable, straight);
+                result.worst = std::min(result.worst, straight);
             }
         }
         return result;
