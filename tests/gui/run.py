@@ -11,6 +11,9 @@ def _run() -> None:
     import pytest
 
     code = 3
+    # FreeCAD's own streams end in its report view, and since 1.0 not always here.
+    sys.stdout = open(1, "w", buffering=1, closefd=False)
+    sys.stderr = open(2, "w", buffering=1, closefd=False)
     try:
         code = int(pytest.main(os.environ["NMGS_PYTEST_ARGS"].splitlines()))
     finally:
@@ -20,5 +23,9 @@ def _run() -> None:
         os._exit(code)
 
 
-# Once the window is up and its event loop runs.
-QtCore.QTimer.singleShot(1500, _run)
+# Once the window is up and its event loop runs. A timer of its own: QTimer.singleShot's would be
+# deleted while it runs _run, in whose event loops PySide6 would then crash.
+_start = QtCore.QTimer()
+_start.setSingleShot(True)
+_start.timeout.connect(_run)
+_start.start(1500)

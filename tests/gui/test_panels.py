@@ -159,7 +159,7 @@ def test_report(document, meshed):
     pick(meshed)
     run("NMGS_MeshReport")
     summary = widget(QtGui.QLabel, "summary").text()
-    assert f"{meshed.NodeCount} points" in summary and "volume: 6000 mm³" in summary
+    assert f"points: {meshed.NodeCount}," in summary and "volume: 6000 mm³" in summary
     metrics = widget(QtGui.QTableWidget, "metrics")
     names = [metrics.item(row, 0).text() for row in range(metrics.rowCount())]
     assert any(name.startswith("scaled jacobian") for name in names)

@@ -9,6 +9,7 @@ import FreeCAD
 from conftest import process_events, tree_labels, wait_until
 
 MAKE = """
+import sys
 import FreeCAD
 from freecad.NMGSWorkbench.objects import blocks, structured_mesh
 document = FreeCAD.newDocument("Made")
@@ -20,13 +21,16 @@ mesh = structured_mesh.make(document)
 mesh.Blocks = laid
 document.recompute()
 document.saveAs({path!r})
+sys.exit(0)  # without, FreeCAD 1.1 waits for a console
 """
 
 
 def test_all_is_seen(document, tmp_path):
     path = str(tmp_path / "made.FCStd")
+    script = tmp_path / "make.py"
+    script.write_text(MAKE.format(path=path))
     subprocess.run(
-        [shutil.which("freecadcmd"), "-c", MAKE.format(path=path)],
+        [shutil.which("freecadcmd"), str(script)],
         env=dict(os.environ),
         check=True,
         timeout=120,

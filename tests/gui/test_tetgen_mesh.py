@@ -7,6 +7,7 @@ import numpy as np
 import Part
 import pytest
 from conftest import content, message_boxes, pick, process_events, run, screenshot
+from tetgen_bounds import volume_bound
 
 from freecad.NMGSWorkbench import nmgs
 from freecad.NMGSWorkbench.objects import plc, tetgen_mesh
@@ -32,7 +33,7 @@ def test_solid(document, box):
     assert made.FemMesh.TetraCount == made.ElementCount
     # Edges of about a twentieth of the diagonal: no tetrahedron is larger than such a regular one.
     largest = made.Proxy.mesh(made).quality("volume")["tetra"].max()
-    assert largest <= 1.01 * (1400**0.5 / 20) ** 3 / (6 * 2**0.5)
+    assert largest <= volume_bound(1.01 * (1400**0.5 / 20) ** 3 / (6 * 2**0.5))
     assert not box.Visibility
     screenshot("tetgen")
     before = content(made)
