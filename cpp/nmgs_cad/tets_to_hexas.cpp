@@ -100,11 +100,11 @@ void put_back(Layout &layout, std::size_t first, const std::vector<Vec3> &before
     }
 }
 
-// Points on curved edges that slide apart leave faces short of their area: those go back. They are
-// marked as points that stay. Whether there were any.
+// Points on curved edges that slide apart leave faces short of their area, or give them too much of
+// it: those go back. They are marked as points that stay. Whether there were any.
 bool keep_areas(Layout &layout, std::size_t first, const std::vector<Vec3> &before,
                 std::vector<CadEntity> &on) {
-    constexpr double loss = 0.01;
+    constexpr double change = 0.01;
     std::map<std::int32_t, std::array<double, 2>> areas;
     const auto area = [](const std::vector<Vec3> &points, const std::array<std::int32_t, 4> &q) {
         return 0.5 * norm(cross(points[at(q[2])] - points[at(q[0])],
@@ -118,7 +118,7 @@ bool keep_areas(Layout &layout, std::size_t first, const std::vector<Vec3> &befo
     bool any = false;
     for (const auto &quad : layout.quads) {
         const auto &both = areas[quad.face];
-        if (both[1] >= (1 - loss) * both[0]) {
+        if (std::abs(both[1] - both[0]) <= change * both[0]) {
             continue;
         }
         any = true;

@@ -23,7 +23,8 @@ MOST = 12
 #: Largest turn of the surface along an edge of the skin, in radians: each is halved, and a cylinder
 #: then loses 0.8 % of its volume. Then how much longer triangles may be along than across the
 #: curvature, whether tetrahedra are split that would fold on curved faces (and the skin made finer
-#: where hexahedra fold nevertheless), and how often the skin may be made finer. The others where the first leads to no sound hexahedra.
+#: where hexahedra fold nevertheless), and how often the skin may be made finer. The others where
+#: the first leads to no sound hexahedra.
 ATTEMPTS = ((0.45, 2.5, False, 3), (0.45, 4.0, True, 4), (0.37, 4.0, True, 4), (0.6, 4.0, True, 4))
 #: Rounds of one attempt, at most.
 MOST_ROUNDS = 4
