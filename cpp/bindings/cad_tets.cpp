@@ -35,8 +35,10 @@ std::vector<cad::SkinOptions::Limit> limits_of(const DoubleArray &rows) {
 
 std::unique_ptr<cad::SkinBuilder> skin_builder(const cad::CadShape &shape,
                                                const std::vector<int> &faces, double size,
-                                               double angle, const py::object &progress) {
+                                               double angle, double stretch,
+                                               const py::object &progress) {
     cad::SkinOptions options;
+    options.stretch = stretch;
     options.size = size;
     options.angle = angle;
     const Progress listener = progress_of(progress);
@@ -65,7 +67,7 @@ void refine_skin(cad::SkinBuilder &builder, const DoubleArray &limits, const py:
 
 // solids: (n of SolidN, inner points (K, 3), tetrahedra (M, 4)) each.
 py::tuple tets_to_hexas(const cad::CadShape &shape, const cad::Skin &skin, const py::list &solids,
-                        cad::Layout &layout, const py::object &progress) {
+                        cad::Layout &layout, const py::object &progress, bool split) {
     std::vector<cad::SolidTets> all;
     for (const auto &item : solids) {
         const auto entry = item.cast<std::tuple<int, DoubleArray, IntArray>>();
@@ -92,7 +94,7 @@ py::tuple tets_to_hexas(const cad::CadShape &shape, const cad::Skin &skin, const
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
-        result = cad::tets_to_hexas(shape, skin, all, layout, listener);
+        result = cad::tets_to_hexas(shape, skin, all, layout, listener, split);
     }
     std::vector<double> limits;
     for (const auto &f : result.folded) {
@@ -171,7 +173,8 @@ void bind_tets(py::module_ &module) {
         .def_property_readonly("edges", [](const cad::Skin &s) { return s.edges; });
     py::class_<cad::SkinBuilder>(module, "SkinBuilder", "Makes skins, each finer than the last.")
         .def(py::init(&skin_builder), py::arg("shape"), py::arg("faces"), py::arg("size") = 0.0,
-             py::arg("angle") = 0.45, py::arg("progress") = py::none(), py::keep_alive<1, 2>())
+             py::arg("angle") = 0.45, py::arg("stretch") = 2.5, py::arg("progress") = py::none(),
+             py::keep_alive<1, 2>())
         .def("refine", &refine_skin, py::arg("limits"), py::arg("progress") = py::none(),
              "limits: (N, 5) x, y, z, radius, and the longest edge there.")
         .def("skin", [](const cad::SkinBuilder &builder) {
@@ -196,8 +199,9 @@ void bind_tets(py::module_ &module) {
                "tolerance is finite.");
     module.def("tets_to_hexas", &tets_to_hexas, py::arg("shape"), py::arg("skin"),
                py::arg("solids"), py::arg("layout"), py::arg("progress") = py::none(),
-               "Adds four hexahedra a tetrahedron; (worst scaled Jacobian, also of their inside, "
-               "where it folds, points off the CAD).");
+               py::arg("split") = false,
+               "Adds four hexahedra a tetrahedron; split: those are split before that would fold. "
+               "(worst scaled Jacobian, also of their inside, where it folds, points off the CAD)");
 }
 
 } // namespace nmgs::bindings

@@ -225,7 +225,7 @@ CadTets::Middle CadTets::find_centre(const Triangle &triangle, Vec3 p, double si
     return best;
 }
 
-double CadTets::improve(const Progress &progress) {
+void CadTets::improve(double good, const Progress &progress) {
     TetMesh mesh;
     mesh.points = points;
     for (const CadEntity &entity : on) {
@@ -247,7 +247,9 @@ double CadTets::improve(const Progress &progress) {
     for (const auto &[ends, edge] : segments_) {
         mesh.middles[ends] = middle(ends[0], ends[1]).p;
     }
-    const double worst = improve_tets(mesh, {}, progress);
+    TetImprovementOptions options;
+    options.good = good;
+    improve_tets(mesh, options, progress);
     points = std::move(mesh.points);
     on.resize(points.size());
     tets.clear();
@@ -260,7 +262,6 @@ double CadTets::improve(const Progress &progress) {
         }
     }
     link();
-    return worst;
 }
 
 std::vector<Vec3> inner_vertex_places(const CadShape &shape, int solid) {

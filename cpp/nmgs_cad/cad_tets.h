@@ -44,9 +44,13 @@ public:
     std::vector<Triangle> triangles;
     std::vector<Chain> chains; // by CAD edge
 
-    // Better tetrahedra between the same skin: see nmgs/quality/tet_improvement.h. The least scaled
-    // Jacobian of their hexahedra then.
-    double improve(const Progress &progress);
+    // Splits inner edges that graze the curved skin at an end of theirs.
+    void split_grazing();
+    // Splits what folds on a curved skin: at most so many rounds.
+    void split_folding(int rounds);
+    // Better tetrahedra between the same skin, where they are worse than `good`: see
+    // nmgs/quality/tet_improvement.h.
+    void improve(double good, const Progress &progress);
 
     [[nodiscard]] std::int32_t segment(std::int32_t a, std::int32_t b) const;
     // The skin's triangle of three points, or -1.
@@ -67,6 +71,9 @@ public:
 private:
     const BRepAdaptor_Curve &curve(int n);
     void link();
+    std::int32_t split(std::int32_t a, std::int32_t b);
+    void split_inside(std::size_t tet);
+    Vec3 direction(std::int32_t from, std::int32_t to, std::int32_t edge);
     Middle find_middle(std::int32_t a, std::int32_t b);
     Middle find_centre(const Triangle &triangle, Vec3 near, double size);
 

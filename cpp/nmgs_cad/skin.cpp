@@ -252,7 +252,7 @@ void SkinBuilder::passes(int count, const Progress &progress, double from, doubl
 // Makes the turn smaller that is allowed along the edges of faces, and of solids, whose area or
 // volume the triangles miss. Whether there are any.
 bool SkinBuilder::find_turns() {
-    constexpr double most_area = 0.08;
+    constexpr double most_area = 0.05;
     constexpr double most_volume = 0.035;
     constexpr std::ptrdiff_t many = 60'000;
     const auto alive = std::count_if(mesh_->triangles.begin(), mesh_->triangles.end(),

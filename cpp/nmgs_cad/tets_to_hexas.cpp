@@ -100,6 +100,46 @@ void put_back(Layout &layout, std::size_t first, const std::vector<Vec3> &before
     }
 }
 
+// Points on curved edges that slide apart leave faces short of their area, or give them too much of
+// it: those go back. They are marked as points that stay. Whether there were any.
+bool keep_areas(Layout &layout, std::size_t first, const std::vector<Vec3> &before,
+                std::vector<CadEntity> &on) {
+    constexpr double change = 0.01;
+    std::map<std::int32_t, std::array<double, 2>> areas;
+    const auto area = [](const std::vector<Vec3> &points, const std::array<std::int32_t, 4> &q) {
+        return 0.5 * norm(cross(points[at(q[2])] - points[at(q[0])],
+                                points[at(q[3])] - points[at(q[1])]));
+    };
+    for (const auto &quad : layout.quads) {
+        auto &both = areas[quad.face];
+        both[0] += area(before, quad.points);
+        both[1] += area(layout.points, quad.points);
+    }
+    bool any = false;
+    for (const auto &quad : layout.quads) {
+        const auto &both = areas[quad.face];
+        if (std::abs(both[1] - both[0]) <= change * both[0]) {
+            continue;
+        }
+        any = true;
+        for (const std::int32_t n : quad.points) {
+            layout.points[at(n)] = before[at(n)];
+            on[at(n)] = {-1, 0};
+        }
+    }
+    if (any) {
+        std::vector<double> least;
+        std::vector<Vec3> now = layout.points;
+        layout.points = before;
+        for (std::size_t h = first; h < layout.hexas.size(); ++h) {
+            least.push_back(std::min(sound, worst_of(layout, layout.hexas[h])));
+        }
+        layout.points = std::move(now);
+        put_back(layout, first, before, least);
+    }
+    return any;
+}
+
 // Moves points round the hexahedra below `bad`. That looks at their corners only: where it folds
 // the inside of a sound one, its points go back (strict), and so on round them.
 void raise(const CadShape &shape, Layout &layout, std::size_t first, double bad, double good,
@@ -118,7 +158,9 @@ void raise(const CadShape &shape, Layout &layout, std::size_t first, double bad,
 }
 
 // Raises what is below 0.25: corner by corner, then the neighbourhoods that stay below 0.2.
-void polish(const CadShape &shape, Layout &layout, std::size_t first, const Progress &progress) {
+// on: as the layout's, or dimension -1 for points that stay.
+void polish(const CadShape &shape, Layout &layout, std::size_t first,
+            const std::vector<CadEntity> &on, const Progress &progress) {
     constexpr double good = 0.25;
     constexpr double poor = 0.2;
     std::vector<std::array<std::int32_t, 8>> nodes;
@@ -133,18 +175,18 @@ void polish(const CadShape &shape, Layout &layout, std::size_t first, const Prog
         before = layout.points;
     };
     constexpr int visits = 12'000;
-    raise_mesh(shape, layout.points, layout.on, nodes, good, visits, part_of(progress, 0, 0.5));
+    raise_mesh(shape, layout.points, on, nodes, good, visits, part_of(progress, 0, 0.5));
     keep();
     constexpr int turns = 2;
     constexpr int spots = 60;
     for (int turn = 0; turn < turns; ++turn) {
         const double from = 0.5 + 0.25 * turn;
-        if (!improve_spots(shape, layout.points, layout.on, nodes, poor, good, spots,
+        if (!improve_spots(shape, layout.points, on, nodes, poor, good, spots,
                            part_of(progress, from, from + 0.1))) {
             break;
         }
         keep();
-        raise_mesh(shape, layout.points, layout.on, nodes, good, visits / 4,
+        raise_mesh(shape, layout.points, on, nodes, good, visits / 4,
                    part_of(progress, from + 0.1, from + 0.25));
         keep();
     }
@@ -207,9 +249,13 @@ int straighten(Layout &layout, const std::vector<std::vector<std::int32_t>> &par
 } // namespace
 
 TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const SolidTets> solids,
-                       Layout &layout, const Progress &progress) {
+                       Layout &layout, const Progress &progress, bool split) {
     CadTets mesh(shape, skin, solids);
-    mesh.improve(part_of(progress, 0, 0.3));
+    if (split) {
+        mesh.split_grazing();
+        mesh.split_folding(4);
+    }
+    mesh.improve(split ? 0.1 : 0.3, part_of(progress, 0, 0.3));
 
     // Points of the layout: corners, middles of edges, of faces, of tetrahedra.
     std::vector<std::int32_t> number(mesh.points.size(), -1);
@@ -307,16 +353,21 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     // The few that are inside out first: they need many sweeps over few points.
     raise(shape, layout, first_hexa, 0.005, 0.1, true, part_of(progress, 0.4, 0.5));
     // Where many stay so, a finer skin must help first.
-    constexpr std::ptrdiff_t many = 200;
+    const std::ptrdiff_t many = split ? 200 : 20;
     const auto folded_ones = std::count_if(
         layout.hexas.begin() + static_cast<std::ptrdiff_t>(first_hexa), layout.hexas.end(),
         [&](const auto &hexa) { return corners_of(layout, hexa) < sound; });
-    if (folded_ones < many) {
-        polish(shape, layout, first_hexa, part_of(progress, 0.5, 0.9));
+    std::vector<CadEntity> on = layout.on;
+    for (int turn = 0; turn < 2 && folded_ones < many; ++turn) {
+        polish(shape, layout, first_hexa, on,
+               part_of(progress, 0.5 + 0.2 * turn, 0.7 + 0.2 * turn));
+        if (!keep_areas(layout, first_hexa, start, on)) {
+            break;
+        }
     }
 
     // A finer skin helps where the CAD bends a tetrahedron, and a flat one anywhere is still sound.
-    constexpr double folded = 0.01;
+    constexpr double folded = 0.03;
     constexpr double flat = 1e-5;
     constexpr double bent = 1e-3;
     std::int32_t last = -1;
@@ -393,6 +444,9 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
         return std::tuple(result.worst >= sound, result.inside > 0, -off, result.worst);
     };
     auto best = measure(0);
+    if (!split && folded_ones >= many) {
+        return result;
+    }
     Layout found = layout;
     const int off = straighten(layout, parts, straight);
     // What has left the CAD is free now; the inside of hexahedra counts less than their corners.

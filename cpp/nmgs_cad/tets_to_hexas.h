@@ -29,12 +29,13 @@ struct TetHexas {
 };
 
 // Adds four hexahedra a tetrahedron to the layout: points at the middles of edges, the middles of
-// faces and of the tetrahedra, those of the skin on the CAD. Tetrahedra that would fold, with two
-// faces in one smooth face or two edges in one smooth edge, are split before; points move to where
-// the worst corner around them is better. Where hexahedra are still inside out the tetrahedron
-// becomes straight but for the CAD's edges, and points leave the CAD's faces (on: the solid). The
-// skin's edges must not be laid out in the layout. Raises Cancelled.
+// faces and of the tetrahedra, those of the skin on the CAD. The tetrahedra are improved before,
+// between the same skin (nmgs/quality/tet_improvement.h); split: those are split before that would
+// fold on curved faces, which thin walls need. Then points move to where the worst corner around
+// them is better. Where hexahedra are still inside out the tetrahedron becomes straight but for the
+// CAD's edges, and points leave the CAD's faces (on: the solid). The skin's edges must not be laid
+// out in the layout. Raises Cancelled.
 TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const SolidTets> solids,
-                       Layout &layout, const Progress &progress = {});
+                       Layout &layout, const Progress &progress = {}, bool split = false);
 
 } // namespace nmgs::cad

@@ -435,8 +435,7 @@ bool improve_spots(const CadShape &shape, std::span<Vec3> points, std::span<cons
                     number = static_cast<std::int32_t>(nodes.size());
                     nodes.push_back(n);
                     places.push_back(points[static_cast<std::size_t>(n)]);
-                    where.push_back(i < inner ? on[static_cast<std::size_t>(n)]
-                                              : CadEntity{-1, 0});
+                    where.push_back(i < inner ? on[static_cast<std::size_t>(n)] : CadEntity{-1, 0});
                 }
                 n = number;
             }

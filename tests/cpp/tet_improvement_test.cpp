@@ -65,8 +65,7 @@ void keep_faces(TetMesh &mesh) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::int32_t a = f[i];
             const std::int32_t b = f[(i + 1) % 3];
-            mesh.middles[nmgs::ascending(a, b)] =
-                0.5 * (mesh.points[at(a)] + mesh.points[at(b)]);
+            mesh.middles[nmgs::ascending(a, b)] = 0.5 * (mesh.points[at(a)] + mesh.points[at(b)]);
         }
     }
 }

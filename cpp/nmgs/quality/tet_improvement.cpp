@@ -61,10 +61,9 @@ double quality_of(const std::array<Vec3, 4> &p, const std::array<Vec3, 6> &m,
         const Vec3 vi = m[edge_of[v][i]];
         const Vec3 vj = m[edge_of[v][j]];
         const Vec3 vk = m[edge_of[v][k]];
-        if (!take(p[v], vi, vj, vk) || !take(vi, f[k], p[v], f[j]) ||
-            !take(vj, p[v], f[k], f[i]) || !take(vk, f[i], f[j], p[v]) ||
-            !take(f[k], vj, vi, c) || !take(f[j], vi, vk, c) || !take(f[i], vk, vj, c) ||
-            !take(c, f[j], f[i], f[k])) {
+        if (!take(p[v], vi, vj, vk) || !take(vi, f[k], p[v], f[j]) || !take(vj, p[v], f[k], f[i]) ||
+            !take(vk, f[i], f[j], p[v]) || !take(f[k], vj, vi, c) || !take(f[j], vi, vk, c) ||
+            !take(f[i], vk, vj, c) || !take(c, f[j], f[i], f[k])) {
             return least;
         }
     }
@@ -89,10 +88,11 @@ private:
     bool flip_face(std::int32_t tet, std::size_t opposite);
     bool fill_cavity(std::vector<std::int32_t> cavity);
     Vec3 best_place(const std::vector<Face> &faces, Vec3 start, double &worth);
+    void mend(std::int32_t tet, double good);
     bool around(std::int32_t a, std::int32_t b, std::vector<std::int32_t> &tets) const;
 
     TetMesh &mesh_;
-    const TetImprovementOptions &options_;
+    TetImprovementOptions options_;
     std::vector<std::vector<std::int32_t>> of_; // tetrahedra of each point
     std::vector<double> quality_;
     std::vector<char> on_face_; // points of faces that stay
@@ -511,9 +511,8 @@ bool Improver::fill_cavity(std::vector<std::int32_t> cavity) {
             }
         }
         const bool loses =
-            !edges.empty() || std::any_of(points.begin(), points.end(), [&](std::int32_t n) {
-                return mesh_.fixed[at(n)] != 0;
-            });
+            !edges.empty() || std::any_of(points.begin(), points.end(),
+                                          [&](std::int32_t n) { return mesh_.fixed[at(n)] != 0; });
         if (loses) {
             break;
         }
@@ -575,6 +574,35 @@ bool Improver::fill_cavity(std::vector<std::int32_t> cavity) {
     return true;
 }
 
+// Tries what may help a tetrahedron that is worse than `good`, the cheapest first.
+void Improver::mend(std::int32_t t, double good) {
+    const auto still = [&] { return alive(t) && quality_[at(t)] < good; };
+    const Corners p = mesh_.tets[at(t)].p;
+    const auto same = [&] { return still() && mesh_.tets[at(t)].p == p; };
+    for (std::size_t e = 0; e < 6 && same(); ++e) {
+        remove_edge(t, e);
+    }
+    for (std::size_t v = 0; v < 4 && same(); ++v) {
+        flip_face(t, v);
+    }
+    for (std::size_t v = 0; v < 4 && still(); ++v) {
+        smooth(mesh_.tets[at(t)].p[v], 12);
+    }
+    // New points only where nothing else has helped.
+    constexpr double poor = 0.8;
+    if (!still() || quality_[at(t)] > poor * good) {
+        return;
+    }
+    if (!fill_cavity({t}) && same()) {
+        for (const auto &[a, b] : ends_of) {
+            std::vector<std::int32_t> ring;
+            if (same() && !kept(p[a], p[b]) && around(p[a], p[b], ring)) {
+                fill_cavity(ring);
+            }
+        }
+    }
+}
+
 double Improver::run(const Progress &progress) {
     const auto lacking = [&] {
         double lack = 0;
@@ -585,40 +613,34 @@ double Improver::run(const Progress &progress) {
         }
         return lack;
     };
+    constexpr long least_work = 1'000'000;
+    constexpr long work_each = 250;
+    constexpr long most_work = 4'000'000;
+    const long limit =
+        options_.work > 0
+            ? options_.work
+            : std::min(least_work + work_each * static_cast<long>(mesh_.tets.size()), most_work);
     double last = lacking();
-    for (int round = 0; round < options_.rounds && work_ < options_.work; ++round) {
+    for (int round = 0; round < options_.rounds && work_ < limit; ++round) {
+        // What is worst first, all over the mesh.
+        constexpr std::array<double, 4> stages{0.3, 0.5, 0.8, 1};
+        const double good =
+            options_.good * stages[std::min<std::size_t>(static_cast<std::size_t>(round), 3)];
         std::vector<std::pair<double, std::int32_t>> bad;
         for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-            if (mesh_.tets[t].part >= 0 && quality_[t] < options_.good) {
+            if (mesh_.tets[t].part >= 0 && quality_[t] < good) {
                 bad.emplace_back(quality_[t], static_cast<std::int32_t>(t));
             }
         }
         std::sort(bad.begin(), bad.end());
-        for (std::size_t i = 0; i < bad.size() && work_ < options_.work; ++i) {
+        for (std::size_t i = 0; i < bad.size() && work_ < limit; ++i) {
             if (i % 16 == 0) {
                 poll(progress, static_cast<double>(round) / options_.rounds);
             }
-            const std::int32_t t = bad[i].second;
-            const auto still = [&] { return alive(t) && quality_[at(t)] < options_.good; };
-            const Corners p = mesh_.tets[at(t)].p;
-            const auto same = [&] { return still() && mesh_.tets[at(t)].p == p; };
-            for (std::size_t e = 0; e < 6 && same(); ++e) {
-                remove_edge(t, e);
-            }
-            for (std::size_t v = 0; v < 4 && same(); ++v) {
-                flip_face(t, v);
-            }
-            for (std::size_t v = 0; v < 4 && still(); ++v) {
-                smooth(mesh_.tets[at(t)].p[v], 12);
-            }
-            // New points only where nothing else has helped.
-            constexpr double poor = 0.8;
-            if (round > 0 && still() && quality_[at(t)] < poor * options_.good) {
-                fill_cavity({t});
-            }
+            mend(bad[i].second, good);
         }
         const double now = lacking();
-        if (round > 1 && now > 0.97 * last) {
+        if (round > 3 && now > 0.97 * last) {
             break;
         }
         last = now;
@@ -638,8 +660,7 @@ double hexas_quality(const std::array<Vec3, 4> &corners, const std::array<Vec3, 
     return quality_of(corners, middles, centres, -2);
 }
 
-double improve_tets(TetMesh &mesh, const TetImprovementOptions &options,
-                    const Progress &progress) {
+double improve_tets(TetMesh &mesh, const TetImprovementOptions &options, const Progress &progress) {
     return Improver(mesh, options).run(progress);
 }
 

@@ -32,9 +32,9 @@ struct TetMesh {
 };
 
 struct TetImprovementOptions {
-    double good = 0.3;     // tetrahedra with hexahedra no worse than this are left as they are
-    int rounds = 8;        // over those that are not, at most
-    long work = 4'000'000; // tetrahedra that may be measured
+    double good = 0.3; // tetrahedra with hexahedra no worse than this are left as they are
+    int rounds = 8;    // over those that are not, at most
+    long work = 0;     // tetrahedra that may be measured; 0: by their number
 };
 
 // Least scaled Jacobian of the four hexahedra of a tetrahedron: corners, middles of the edges 01,

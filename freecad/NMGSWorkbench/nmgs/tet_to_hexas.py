@@ -20,11 +20,14 @@ METHOD = "tet-to-hex"
 SWITCHES = ("pYAq1.6/8", "pYA")
 #: Most tetrahedra for one triangle of the skin; more of them come from TetGen's quality alone.
 MOST = 12
-#: How often the skin is made finer where hexahedra fold or TetGen cannot keep it.
-ROUNDS = 4
 #: Largest turn of the surface along an edge of the skin, in radians: each is halved, and a cylinder
-#: then loses 0.8 % of its volume. The others where the first leads to no sound hexahedra.
-ANGLES = (0.45, 0.37, 0.6)
+#: then loses 0.8 % of its volume. Then how much longer triangles may be along than across the
+#: curvature, whether tetrahedra are split that would fold on curved faces (and the skin made finer
+#: where hexahedra fold nevertheless), and how often the skin may be made finer. The others where
+#: the first leads to no sound hexahedra.
+ATTEMPTS = ((0.45, 2.5, False, 3), (0.45, 4.0, True, 4), (0.37, 4.0, True, 4), (0.6, 4.0, True, 4))
+#: Rounds of one attempt, at most.
+MOST_ROUNDS = 4
 #: Triangles of a skin that is not made finer.
 MOST_TRIANGLES = 30_000
 #: Seconds after which no third round begins; twice as many while there is no sound layout.
@@ -71,10 +74,12 @@ def fill(
     faces = {n: kernel.solid_faces(shape, n) for n in solids}
     best: Optional[_Found] = None
     start = time.monotonic()
-    for angle in ANGLES:
+    for attempt in ATTEMPTS:
         if (best is not None and best.sound) or time.monotonic() - start > 2 * PATIENCE:
             break
-        found = _best_round(shape, faces, angle, start, progress)
+        found = _best_round(shape, faces, attempt, start, progress)
+        if attempt == ATTEMPTS[0]:
+            start = time.monotonic()
         if isinstance(found, _Found) and (best is None or found.rank > best.rank):
             best = found
     if best is None:
@@ -86,7 +91,7 @@ def fill(
 def _best_round(
     shape: Any,
     faces: Dict[int, List[Tuple[int, bool]]],
-    angle: float,
+    attempt: Tuple[float, float, bool, int],
     start: float,
     progress: Progress,
 ) -> Union[_Found, List[str]]:
@@ -94,16 +99,20 @@ def _best_round(
     solids that TetGen cannot fill."""
     kernel = _kernel.cad()
     wanted = sorted({face for rows in faces.values() for face, _ in rows})
-    builder = kernel.SkinBuilder(shape, wanted, angle=angle, progress=_share(progress, 0, 0))
+    angle, stretch, split, rounds = attempt
+    builder = kernel.SkinBuilder(
+        shape, wanted, angle=angle, stretch=stretch, progress=_share(progress, 0, 0)
+    )
     best: Optional[_Found] = None
     vain = 0  # rounds that made nothing better
     where = np.empty((0, 5))
     skin = builder.skin()
-    for round_ in range(ROUNDS):
+    for round_ in range(rounds):
         if round_:
             enough = best is not None and best.sound
             late = round_ > 1 and time.monotonic() - start > (1 if enough else 2) * PATIENCE
-            if vain > 1 or (late and best is not None) or len(skin.triangles) > MOST_TRIANGLES:
+            late = late and best is not None
+            if vain > (0 if enough else 1) or late or len(skin.triangles) > MOST_TRIANGLES:
                 break
             builder.refine(where, _share(progress, round_, 0))
             skin = builder.skin()
@@ -118,13 +127,15 @@ def _best_round(
             vain += best is not None
             continue
         layout = kernel.Layout(shape)
-        worst, inside, where, off = kernel.tets_to_hexas(shape, skin, tets, layout, progress)
+        worst, inside, where, off = kernel.tets_to_hexas(
+            shape, skin, tets, layout, progress, split=split
+        )
         found = _Found(worst, inside, layout, where, off)
         better = best is None or found.rank > best.rank
         vain = 0 if better else vain + 1
         if better:
             best = found
-        if not len(where):
+        if not len(where) or not split:
             break
     if best is None:
         return [f"Solid{n}" for n, where in zip(faces, finer) if len(where)]
@@ -145,8 +156,9 @@ def _settled(
             if _worst(shape, blocks, progress) >= max(SOUND, 0.5 * found.worst):
                 return blocks
     raw["whole"] = np.ones(len(raw["nodes"]), bool)
-    if found.worst < SOUND and not _worst(shape, raw, progress) > 0:
-        names = [f"Solid{n}" for n in solids]
+    worst = _worst_of_each(shape, raw, progress) if found.worst < SOUND else {}
+    names = [name for name, quality in worst.items() if not quality > 0]
+    if names:
         x, y, z = found.folded[0, :3] if len(found.folded) else (np.nan,) * 3
         reason = f"hexahedra would be inside out near ({x:.6g}, {y:.6g}, {z:.6g})"
         raise BlockingError(f"no blocks: {reason}", names, [reason] * len(names))
@@ -165,10 +177,22 @@ def _worst(shape: Any, raw: Dict[str, Any], progress: Progress) -> float:
     return min(worst, 0.5 * SOUND) if len(mesh.off_cad) else worst
 
 
+def _worst_of_each(shape: Any, raw: Dict[str, Any], progress: Progress) -> Dict[str, float]:
+    """Least scaled Jacobian of the mesh in each solid, by the solid's name."""
+    from .cad import default_divisions, linked  # only here: cad.py imports this module
+
+    model = linked(shape, raw)
+    default_divisions(model)
+    mesh = model.generate(progress=progress)
+    quality = mesh.quality()["hexahedron"]
+    names = [entry["entity"] for entry in raw["report"]]
+    return {name: float(quality[mesh.groups[name][1]].min()) for name in names}
+
+
 def _share(progress: Progress, round_: int, part: int) -> Progress:
     if progress is None:
         return None
-    return lambda fraction: progress((round_ + 0.5 * part + 0.5 * fraction) / ROUNDS)
+    return lambda fraction: progress((round_ + 0.5 * part + 0.5 * fraction) / MOST_ROUNDS)
 
 
 def _tetrahedra(
