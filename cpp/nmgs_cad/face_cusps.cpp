@@ -34,7 +34,7 @@ bool sharp(const EdgeUse &before, const EdgeUse &use) {
 // The length at which a quad fits into the corner at the start of use u; 0 where it is no cusp.
 double tip_length(const CadShape &shape, int face, const FaceLoop &loop, std::size_t u,
                   const EdgeSizes &sizes) {
-    constexpr double wanted = 0.3; // radians, of the chords
+    constexpr double wanted = 0.203; // radians, of the chords
     constexpr double least = 0.02;   // share of the shorter edge
     constexpr double step = 1.01;
     const std::size_t n = loop.size();
@@ -98,8 +98,7 @@ bool size_cusps(const CadShape &shape, int face, const FaceLoops &loops, EdgeSiz
     return any;
 }
 
-void size_as_elements(const FaceLoops &loops, EdgeSizes &sizes, double longest) {
-    constexpr double turn = 0.18; // along a segment, in radians
+void size_as_elements(const FaceLoops &loops, EdgeSizes &sizes, double longest, double turn) {
     for (const FaceLoop &loop : loops.loops) {
         for (const EdgeUse &use : loop) {
             if (use.degenerated) {

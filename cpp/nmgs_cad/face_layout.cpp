@@ -58,13 +58,24 @@ void divide_edges(const CadShape &shape, std::vector<FacePlan> &plans, Layout &l
         }
         std::for_each(plan.loops.inner.begin(), plan.loops.inner.end(), want);
     }
+    bool any_cusps = false;
     for (FacePlan &plan : plans) {
         poll(progress, 0);
-        Refusal refusal;
         plan.give_up();
         plan.cusps = size_cusps(shape, plan.face, plan.loops, sizes);
         if (plan.cusps) {
             size_as_elements(plan.loops, sizes, element_size(shape, options));
+        }
+        any_cusps = any_cusps || plan.cusps;
+    }
+    for (FacePlan &plan : plans) {
+        poll(progress, 0);
+        Refusal refusal;
+        if (any_cusps && !plan.cusps) {
+            // Chains through a tip go on over these; they are not divided either.
+            constexpr double longer = 5;
+            constexpr double turn = 0.4;
+            size_as_elements(plan.loops, sizes, longer * element_size(shape, options), turn);
         }
         const bool general = plan.cusps || plan.poor;
         if (!general) {
