@@ -15,6 +15,7 @@
 #include "nmgs_cad/refine.h"
 #include "nmgs_cad/solid_groups.h"
 #include "nmgs_cad/solid_layout.h"
+#include "nmgs_cad/split_tips.h"
 #include "nmgs_cad/version.h"
 
 #include <memory>
@@ -56,6 +57,8 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
         }
         constexpr int rounds = 6;
         blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
+        // Elements are as long as this where no size is given.
+        blocks = cad::split_tips(shape, std::move(blocks), shape.diagonal() / 30, listener);
     }
     return fit_dict(std::move(blocks));
 }

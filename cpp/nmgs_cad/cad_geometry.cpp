@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cad_geometry.h"
 
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+
+#include <cmath>
 #include <utility>
 
 namespace nmgs::cad {
@@ -50,6 +54,16 @@ std::unique_ptr<CadGeometry> CadGeometryPool::take(const CadShape &shape) {
 void CadGeometryPool::give_back(std::unique_ptr<CadGeometry> geometry) {
     const std::scoped_lock lock(mutex_);
     free_.push_back(std::move(geometry));
+}
+
+double CadGeometryPool::diagonal(const TopoDS_Shape &shape) {
+    const std::scoped_lock lock(mutex_);
+    if (!diagonal_) {
+        Bnd_Box box;
+        BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+        diagonal_ = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+    }
+    return *diagonal_;
 }
 
 BorrowedGeometry::BorrowedGeometry(const CadShape &shape)

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace nmgs::cad {
@@ -36,9 +37,12 @@ class CadGeometryPool {
 public:
     std::unique_ptr<CadGeometry> take(const CadShape &shape);
     void give_back(std::unique_ptr<CadGeometry> geometry);
+    // Of the shape's bounding box, measured once.
+    double diagonal(const TopoDS_Shape &shape);
 
 private:
     std::mutex mutex_;
+    std::optional<double> diagonal_;
     std::vector<std::unique_ptr<CadGeometry>> free_;
 };
 

@@ -6,12 +6,10 @@
 #include "nmgs_cad/occt_vec.h"
 #include "nmgs_cad/without_locations.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -40,9 +38,7 @@ Vec3 CadShape::point(int n) const {
 }
 
 double CadShape::diagonal() const {
-    Bnd_Box box;
-    BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
-    return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+    return geometry->diagonal(shape);
 }
 
 double volume_of(const TopoDS_Shape &shape) {

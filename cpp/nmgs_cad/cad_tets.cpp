@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cad_tets.h"
 
+#include "nmgs/quality/tet_improvement.h"
 #include "nmgs/support/ascending.h"
 #include "nmgs/support/at.h"
 #include "nmgs_cad/occt_vec.h"
@@ -19,19 +20,6 @@ template <std::size_t n>
 bool has(const std::array<std::int32_t, n> &list, std::int32_t value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
-
-// The mean ratio, 1 for the regular tetrahedron, negative inside out.
-double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    const double volume = determinant(b - a, c - a, d - a) / 6;
-    const double sides =
-        norm2(b - a) + norm2(c - a) + norm2(d - a) + norm2(c - b) + norm2(d - b) + norm2(d - c);
-    const double root = std::cbrt(3 * std::abs(volume));
-    return sides > 0 ? std::copysign(12 * root * root / sides, volume) : 0;
-}
-
-constexpr double smooth_cosine = 0.64;    // of the angle between normals: 50 degrees
-constexpr double straight_cosine = -0.76; // of the angle between edges: 140 degrees
-constexpr double grazing_sine = 0.2;      // of the angle between an edge and the skin
 
 } // namespace
 
@@ -86,8 +74,12 @@ CadTets::CadTets(const CadShape &shape, const Skin &skin, std::span<const SolidT
                 static_cast<std::int32_t>(e);
         }
     }
-    tets_of_.resize(points.size());
-    triangles_of_.resize(points.size());
+    link();
+}
+
+void CadTets::link() {
+    tets_of_.assign(points.size(), {});
+    triangles_of_.assign(points.size(), {});
     for (std::size_t t = 0; t < tets.size(); ++t) {
         for (const std::int32_t n : tets[t].p) {
             tets_of_[at(n)].push_back(static_cast<std::int32_t>(t));
@@ -131,6 +123,21 @@ std::int32_t CadTets::triangle(std::int32_t a, std::int32_t b, std::int32_t c) c
 }
 
 CadTets::Middle CadTets::middle(std::int32_t a, std::int32_t b) {
+    if (on[at(a)].dimension == 3 || on[at(b)].dimension == 3) {
+        return {0.5 * (points[at(a)] + points[at(b)]), {3, 0}, 0, {}};
+    }
+    const auto known = middles_.find(ascending(a, b));
+    if (known != middles_.end()) {
+        return known->second;
+    }
+    const Middle found = find_middle(a, b);
+    if (found.on.dimension < 3) {
+        middles_.emplace(ascending(a, b), found);
+    }
+    return found;
+}
+
+CadTets::Middle CadTets::find_middle(std::int32_t a, std::int32_t b) {
     const Vec3 straight = 0.5 * (points[at(a)] + points[at(b)]);
     const std::int32_t edge = segment(a, b);
     if (edge != 0) {
@@ -189,7 +196,17 @@ CadTets::Middle CadTets::centre(const std::array<std::int32_t, 3> &c,
     if (t < 0) {
         return {p, {3, solid}, 0, {}};
     }
-    const Triangle &triangle = triangles[at(t)];
+    auto key = c;
+    std::sort(key.begin(), key.end());
+    const auto known = centres_.find(key);
+    if (known != centres_.end()) {
+        return known->second;
+    }
+    const double size = distance(points[at(c[0])], points[at(c[1])]);
+    return centres_.emplace(key, find_centre(triangles[at(t)], p, size)).first->second;
+}
+
+CadTets::Middle CadTets::find_centre(const Triangle &triangle, Vec3 p, double size) {
     const FaceGeometry &geometry = face(triangle.face);
     Middle best{p, {2, triangle.face}, 0, {}};
     double nearest = -1;
@@ -201,318 +218,49 @@ CadTets::Middle CadTets::centre(const std::array<std::int32_t, 3> &c,
             best.p = q;
             best.uv = uv;
         }
-        if (geometry.elementary() || nearest < 0.2 * distance(points[at(c[0])], points[at(c[1])])) {
+        if (geometry.elementary() || nearest < 0.2 * size) {
             break;
         }
     }
     return best;
 }
 
-std::int32_t CadTets::split(std::int32_t a, std::int32_t b) {
-    const Middle m = middle(a, b);
-    const auto n = static_cast<std::int32_t>(points.size());
-    std::vector<std::int32_t> touched;
-    for (const std::int32_t t : tets_of_[at(a)]) {
-        if (has(tets[at(t)].p, b)) {
-            touched.push_back(t);
-        }
+double CadTets::improve(const Progress &progress) {
+    TetMesh mesh;
+    mesh.points = points;
+    for (const CadEntity &entity : on) {
+        mesh.fixed.push_back(entity.dimension < 3 ? 1 : 0);
     }
-    if (touched.empty()) {
-        return -1;
-    }
-    points.push_back(m.p);
-    on.push_back(m.on.dimension == 3 ? CadEntity{3, tets[at(touched[0])].solid} : m.on);
-    tets_of_.emplace_back();
-    triangles_of_.emplace_back();
-    for (const std::int32_t t : touched) {
-        Tet second = tets[at(t)];
-        std::replace(second.p.begin(), second.p.end(), a, n);
-        std::replace(tets[at(t)].p.begin(), tets[at(t)].p.end(), b, n);
-        std::erase(tets_of_[at(b)], t);
-        tets_of_[at(n)].push_back(t);
-        for (const std::int32_t p : second.p) {
-            tets_of_[at(p)].push_back(static_cast<std::int32_t>(tets.size()));
-        }
-        tets.push_back(second);
-    }
-    std::vector<std::int32_t> covered;
-    for (const std::int32_t t : triangles_of_[at(a)]) {
-        if (has(triangles[at(t)].p, b)) {
-            covered.push_back(t);
-        }
-    }
-    for (const std::int32_t t : covered) {
-        Triangle second = triangles[at(t)];
-        const Uv uv = face(second.face).nearest(m.p, second.uv[0]);
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (second.p[i] == a) {
-                second.p[i] = n;
-                second.uv[i] = uv;
-            }
-            if (triangles[at(t)].p[i] == b) {
-                triangles[at(t)].p[i] = n;
-                triangles[at(t)].uv[i] = uv;
-            }
-        }
-        std::erase(triangles_of_[at(b)], t);
-        triangles_of_[at(n)].push_back(t);
-        for (const std::int32_t p : second.p) {
-            triangles_of_[at(p)].push_back(static_cast<std::int32_t>(triangles.size()));
-        }
-        triangles.push_back(second);
-    }
-    if (m.on.dimension == 1) {
-        Chain &chain = chains[at(m.on.index)];
-        std::size_t k = 0;
-        while (ascending(chain.points[k], chain.points[k + 1]) != ascending(a, b)) {
-            ++k;
-        }
-        const auto where = static_cast<std::ptrdiff_t>(k) + 1;
-        chain.points.insert(chain.points.begin() + where, n);
-        chain.parameters.insert(chain.parameters.begin() + where, m.t);
-        segments_.erase(ascending(a, b));
-        segments_[ascending(a, n)] = m.on.index;
-        segments_[ascending(n, b)] = m.on.index;
-    }
-    return n;
-}
-
-void CadTets::split_inside(std::size_t tet) {
-    const Tet old = tets[tet];
-    const auto n = static_cast<std::int32_t>(points.size());
-    Vec3 middle{0, 0, 0};
-    for (const std::int32_t p : old.p) {
-        middle += 0.25 * points[at(p)];
-    }
-    points.push_back(middle);
-    on.push_back({3, old.solid});
-    tets_of_.emplace_back();
-    triangles_of_.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) {
-        Tet part = old;
-        part.p[i] = n;
-        if (i == 0) {
-            std::erase(tets_of_[at(old.p[0])], static_cast<std::int32_t>(tet));
-            tets[tet] = part;
-            tets_of_[at(n)].push_back(static_cast<std::int32_t>(tet));
-        } else {
-            for (const std::int32_t p : part.p) {
-                tets_of_[at(p)].push_back(static_cast<std::int32_t>(tets.size()));
-            }
-            tets.push_back(part);
-        }
-    }
-}
-
-Vec3 CadTets::direction(std::int32_t from, std::int32_t to, std::int32_t edge) {
-    const Chain &chain = chains[at(edge)];
-    std::size_t k = 0;
-    while (ascending(chain.points[k], chain.points[k + 1]) != ascending(from, to)) {
-        ++k;
-    }
-    const bool forward = chain.points[k] == from;
-    gp_Pnt p;
-    gp_Vec d;
-    curve(edge).D1(chain.parameters[forward ? k : k + 1], p, d);
-    const double l = d.Magnitude();
-    return l > 0 ? ((forward ? 1 : -1) / l) * vec(d.XYZ()) : Vec3{0, 0, 0};
-}
-
-void CadTets::split_grazing() {
-    // Normals of the curved faces at each point of the skin.
-    std::vector<std::vector<Vec3>> normals(points.size());
-    for (const Triangle &t : triangles) {
-        for (std::size_t i = 0; i < 3 && !face(t.face).planar(); ++i) {
-            auto &list = normals[at(t.p[i])];
-            const bool alone = on[at(t.p[i])].dimension == 2;
-            if (alone && !list.empty()) {
-                continue;
-            }
-            const SurfaceFrame frame = face(t.face).frame(t.uv[i]);
-            const auto same = [&](Vec3 n) { return dot(n, frame.normal) > 0.99; };
-            if (frame.regular && std::none_of(list.begin(), list.end(), same)) {
-                list.push_back(frame.normal);
-            }
-        }
-    }
-    std::set<std::array<std::int32_t, 2>> wanted;
     for (const Tet &t : tets) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (std::size_t j = i + 1; j < 4; ++j) {
-                const std::int32_t a = t.p[i];
-                const std::int32_t b = t.p[j];
-                if (on[at(a)].dimension == 3 || on[at(b)].dimension == 3) {
-                    continue;
-                }
-                const auto &here = triangles_of_[at(a)];
-                if (std::any_of(here.begin(), here.end(),
-                                [&](std::int32_t s) { return has(triangles[at(s)].p, b); })) {
-                    continue;
-                }
-                const Vec3 d = points[at(b)] - points[at(a)];
-                const double limit = grazing_sine * norm(d);
-                const auto grazes = [&](Vec3 n) { return std::abs(dot(n, d)) < limit; };
-                for (const std::int32_t end : {a, b}) {
-                    const auto &list = normals[at(end)];
-                    if (std::any_of(list.begin(), list.end(), grazes)) {
-                        wanted.insert(ascending(a, b));
-                    }
-                }
+        mesh.tets.push_back({t.p, t.solid});
+    }
+    for (const Triangle &t : triangles) {
+        std::array<Vec3, 3> m{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            m[i] = middle(t.p[i], t.p[(i + 1) % 3]).p;
+            mesh.middles[ascending(t.p[i], t.p[(i + 1) % 3])] = m[i];
+        }
+        auto key = t.p;
+        std::sort(key.begin(), key.end());
+        mesh.centres[key] = centre(t.p, m, 0).p;
+    }
+    for (const auto &[ends, edge] : segments_) {
+        mesh.middles[ends] = middle(ends[0], ends[1]).p;
+    }
+    const double worst = improve_tets(mesh, {}, progress);
+    points = std::move(mesh.points);
+    on.resize(points.size());
+    tets.clear();
+    for (const auto &t : mesh.tets) {
+        tets.push_back({t.p, t.part});
+        for (const std::int32_t n : t.p) {
+            if (mesh.fixed[at(n)] == 0) {
+                on[at(n)] = {3, t.part};
             }
         }
     }
-    for (const auto &e : wanted) {
-        split(e[0], e[1]);
-    }
-}
-
-void CadTets::split_folding(int rounds) {
-    for (int round = 0; round < rounds; ++round) {
-        std::set<std::array<std::int32_t, 2>> wanted;
-        std::vector<std::size_t> inside;
-        const std::size_t count = tets.size();
-        for (std::size_t t = 0; t < count; ++t) {
-            const auto p = tets[t].p;
-            std::array<std::int32_t, 4> skin{};
-            for (std::size_t i = 0; i < 4; ++i) {
-                skin[i] = triangle(p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4]);
-            }
-            std::set<std::array<std::int32_t, 2>> mine;
-            for (std::size_t i = 0; i < 4; ++i) {
-                for (std::size_t j = i + 1; j < 4; ++j) {
-                    if (skin[i] < 0 || skin[j] < 0) {
-                        continue;
-                    }
-                    // Faces i and j meet at the edge of the other two corners.
-                    std::array<std::int32_t, 2> hinge{};
-                    std::size_t k = 0;
-                    for (std::size_t m = 0; m < 4; ++m) {
-                        if (m != i && m != j) {
-                            hinge[k++] = p[m];
-                        }
-                    }
-                    const auto normal = [&](std::size_t apex) {
-                        const Vec3 a = points[at(hinge[0])];
-                        const Vec3 n = cross(points[at(hinge[1])] - a, points[at(p[apex])] - a);
-                        const double l = norm(n);
-                        return l > 0 ? (1 / l) * n : n;
-                    };
-                    const bool folds = segment(hinge[0], hinge[1]) == 0 ||
-                                       -dot(normal(i), normal(j)) > smooth_cosine;
-                    if (folds) {
-                        mine.insert(ascending(p[i], p[j]));
-                    }
-                }
-            }
-            for (std::size_t v = 0; v < 4; ++v) {
-                for (std::size_t i = 0; i < 4; ++i) {
-                    for (std::size_t j = i + 1; j < 4; ++j) {
-                        if (i == v || j == v) {
-                            continue;
-                        }
-                        const std::int32_t e = segment(p[v], p[i]);
-                        const std::int32_t f = segment(p[v], p[j]);
-                        if (e != 0 && f != 0 &&
-                            dot(direction(p[v], p[i], e), direction(p[v], p[j], f)) <
-                                straight_cosine) {
-                            mine.insert(ascending(p[i], p[j]));
-                        }
-                    }
-                }
-            }
-            if (mine.empty()) {
-                continue;
-            }
-            bool on_skin = mine.size() > 1;
-            for (const auto &e : mine) {
-                on_skin = on_skin || segment(e[0], e[1]) != 0;
-                for (const std::int32_t s : triangles_of_[at(e[0])]) {
-                    on_skin = on_skin || has(triangles[at(s)].p, e[1]);
-                }
-            }
-            if (on_skin) {
-                inside.push_back(t);
-            } else {
-                wanted.insert(mine.begin(), mine.end());
-            }
-        }
-        if (wanted.empty() && inside.empty()) {
-            break;
-        }
-        // A point inside parts all four faces; an edge that is split then is one of this
-        // tetrahedron's neighbours as well.
-        for (const std::size_t t : inside) {
-            split_inside(t);
-        }
-        for (const auto &e : wanted) {
-            split(e[0], e[1]);
-        }
-    }
-}
-
-double CadTets::worst_around(std::int32_t point) const {
-    double worst = 1;
-    for (const std::int32_t t : tets_of_[at(point)]) {
-        const auto &p = tets[at(t)].p;
-        worst = std::min(worst, shape_of(points[at(p[0])], points[at(p[1])], points[at(p[2])],
-                                         points[at(p[3])]));
-    }
+    link();
     return worst;
-}
-
-void CadTets::smooth(int sweeps) {
-    constexpr double good = 0.35;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        int moved = 0;
-        for (std::size_t n = 0; n < points.size(); ++n) {
-            const auto number = static_cast<std::int32_t>(n);
-            if (on[n].dimension != 3 || tets_of_[n].empty()) {
-                continue;
-            }
-            double worst = worst_around(number);
-            if (worst > good) {
-                continue;
-            }
-            double step = 0;
-            Vec3 middle{0, 0, 0};
-            double count = 0;
-            for (const std::int32_t t : tets_of_[n]) {
-                for (const std::int32_t p : tets[at(t)].p) {
-                    if (p != number) {
-                        middle += points[at(p)];
-                        step += distance(points[at(p)], points[n]);
-                        count += 1;
-                    }
-                }
-            }
-            step /= 2 * count;
-            middle = (1 / count) * middle;
-            const auto attempt = [&](Vec3 p) {
-                const Vec3 old = points[n];
-                points[n] = p;
-                const double now = worst_around(number);
-                if (now > worst) {
-                    worst = now;
-                    ++moved;
-                    return true;
-                }
-                points[n] = old;
-                return false;
-            };
-            attempt(middle);
-            for (int halving = 0; halving < 5; ++halving) {
-                bool better = false;
-                for (const Vec3 d : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0},
-                                     Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
-                    better = attempt(points[n] + step * d) || better;
-                }
-                step *= better ? 1 : 0.5;
-            }
-        }
-        if (moved == 0) {
-            break;
-        }
-    }
 }
 
 std::vector<Vec3> inner_vertex_places(const CadShape &shape, int solid) {

@@ -44,12 +44,9 @@ public:
     std::vector<Triangle> triangles;
     std::vector<Chain> chains; // by CAD edge
 
-    // Splits inner edges that graze the curved skin at an end of theirs.
-    void split_grazing();
-    // Splits what folds on a curved skin: at most so many rounds.
-    void split_folding(int rounds);
-    // Moves inner points to where the worst tetrahedron round them is best.
-    void smooth(int sweeps);
+    // Better tetrahedra between the same skin: see nmgs/quality/tet_improvement.h. The least scaled
+    // Jacobian of their hexahedra then.
+    double improve(const Progress &progress);
 
     [[nodiscard]] std::int32_t segment(std::int32_t a, std::int32_t b) const;
     // The skin's triangle of three points, or -1.
@@ -68,15 +65,17 @@ public:
     const FaceGeometry &face(int n);
 
 private:
-    std::int32_t split(std::int32_t a, std::int32_t b);
-    void split_inside(std::size_t tet);
-    Vec3 direction(std::int32_t from, std::int32_t to, std::int32_t edge);
     const BRepAdaptor_Curve &curve(int n);
-    double worst_around(std::int32_t point) const;
+    void link();
+    Middle find_middle(std::int32_t a, std::int32_t b);
+    Middle find_centre(const Triangle &triangle, Vec3 near, double size);
 
     const CadShape &shape_;
     std::vector<std::vector<std::int32_t>> tets_of_, triangles_of_;
     std::map<std::array<std::int32_t, 2>, std::int32_t> segments_;
+    // What was asked for on the skin, by the points.
+    std::map<std::array<std::int32_t, 2>, Middle> middles_;
+    std::map<std::array<std::int32_t, 3>, Middle> centres_;
     std::vector<std::unique_ptr<FaceGeometry>> faces_;
     std::vector<std::unique_ptr<BRepAdaptor_Curve>> curves_;
 };

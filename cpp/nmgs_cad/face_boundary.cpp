@@ -28,6 +28,26 @@ double parameter_of(const BRepAdaptor_Curve &curve, Vec3 p, double from, double 
     }
     double a = from + (to - from) * std::max(0, best - 1) / samples;
     double b = from + (to - from) * std::min(samples, best + 1) / samples;
+    // Newton's method on the foot of the perpendicular; where it leads out, golden section.
+    double x = from + (to - from) * best / samples;
+    const double near = 1e-14 * std::max(std::abs(a), std::abs(b));
+    for (int i = 0; i < 12 && x >= a && x <= b; ++i) {
+        gp_Pnt at;
+        gp_Vec d1;
+        gp_Vec dd;
+        curve.D2(x, at, d1, dd);
+        const Vec3 off = vec(at.XYZ()) - p;
+        const double slope = norm2(vec(d1.XYZ()));
+        const double bend = slope + dot(off, vec(dd.XYZ()));
+        if (!(bend > 1e-3 * slope)) {
+            break;
+        }
+        const double move = -dot(off, vec(d1.XYZ())) / bend;
+        x += move;
+        if (std::abs(move) <= near + 1e-12 * (b - a)) {
+            return std::clamp(x, a, b);
+        }
+    }
     constexpr double golden = 0.6180339887498949;
     for (int i = 0; i < 60; ++i) {
         const double s = b - golden * (b - a);

@@ -34,7 +34,7 @@ bool sharp(const EdgeUse &before, const EdgeUse &use) {
 // The length at which a quad fits into the corner at the start of use u; 0 where it is no cusp.
 double tip_length(const CadShape &shape, int face, const FaceLoop &loop, std::size_t u,
                   const EdgeSizes &sizes) {
-    constexpr double wanted = 0.203; // radians, of the chords
+    constexpr double wanted = 0.3; // radians, of the chords
     constexpr double least = 0.02;   // share of the shorter edge
     constexpr double step = 1.01;
     const std::size_t n = loop.size();

@@ -33,6 +33,21 @@ double rightness(const FaceMesh &mesh, const Quad &quad) {
     return std::max(0.0, 1 - worst / (pi / 2));
 }
 
+// What a pair of triangles is worth: one with a straight corner on the boundary, which no smoothing
+// mends, costs more than several good ones bring.
+double worth(const FaceMesh &mesh, const Quad &quad) {
+    constexpr double straight = 0.9 * pi;
+    constexpr double price = 4;
+    double value = rightness(mesh, quad);
+    for (std::size_t c = 0; c < 4; ++c) {
+        const double angle = corner_angle(mesh, quad, c);
+        if (mesh.fixed(quad[c]) && !unavoidable(mesh, quad, c) && (angle > straight || angle < 0)) {
+            value -= price;
+        }
+    }
+    return value;
+}
+
 struct Pairing {
     const FaceTriangles &from;
     std::vector<Cell> cells;
@@ -50,7 +65,7 @@ struct Pairing {
         }
         constexpr double steps = 1e4;
         const auto base =
-            static_cast<std::int64_t>(steps * (1.0 + static_cast<double>(from.triangles.size())));
+            static_cast<std::int64_t>(steps * (20.0 + static_cast<double>(from.triangles.size())));
         std::vector<WeightedPair> pairs;
         std::map<std::array<std::int32_t, 2>, Quad> quads;
         for (const auto &[e, s] : of_edge) {
@@ -61,7 +76,7 @@ struct Pairing {
             const std::int32_t t = twin->second;
             const std::array<std::int32_t, 2> key{std::min(s, t), std::max(s, t)};
             const Quad quad{e[0], third(t, e), e[1], third(s, e)};
-            const double value = rightness(from.nodes, quad);
+            const double value = worth(from.nodes, quad);
             // Two triangles with two common edges: at a pole.
             if (quads.contains(key)) {
                 continue;
@@ -196,11 +211,26 @@ struct Pairing {
     }
 };
 
+constexpr double good = 0.4;
+
 struct Attempt {
     FaceMesh mesh;
     double quality; // the worst that could be avoided
     std::set<std::array<std::int32_t, 2>> kept;
+    bool mended = false;
 };
+
+void mend(Attempt &made, const FaceSurface &surface) {
+    constexpr double wanted = 0.3;
+    FaceMesh mesh = made.mesh;
+    repair_quads(mesh, surface, made.kept, wanted);
+    const double quality = worst_avoidable(mesh, surface);
+    if (quality >= made.quality) {
+        made.quality = quality;
+        made.mesh = std::move(mesh);
+    }
+    made.mended = true;
+}
 
 std::optional<Attempt> attempt(const FaceSurface &surface,
                                const std::vector<BoundaryLoop> &boundary,
@@ -228,16 +258,18 @@ std::optional<Attempt> attempt(const FaceSurface &surface,
         mesh.quads.push_back({c[0], c[1], c[2], c[3]});
     }
     FaceMesh plain = mesh;
-    smooth_quads(plain, surface, 5, 12);
     clean_up_quads(mesh, surface, triangles->kept);
     smooth_quads(mesh, surface, 8, 20);
     double quality = worst_avoidable(mesh, surface);
-    const double before = worst_avoidable(plain, surface);
-    if (before > quality) {
-        mesh = std::move(plain);
-        quality = before;
+    if (quality <= good) {
+        smooth_quads(plain, surface, 5, 12);
+        const double before = worst_avoidable(plain, surface);
+        if (before > quality) {
+            mesh = std::move(plain);
+            quality = before;
+        }
     }
-    return Attempt{std::move(mesh), quality, triangles->kept};
+    return Attempt{std::move(mesh), quality, triangles->kept, false};
 }
 
 } // namespace
@@ -247,15 +279,16 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
                                       const std::vector<BoundaryLoop> &inner,
                                       const LayoutOptions &options, Refusal &refusal,
                                       const Progress &progress) {
-    constexpr double good = 0.4;
     constexpr double fair = 0.25; // of large layouts, and of what has to be repaired
     constexpr std::size_t many = 400;
     constexpr std::size_t most = 3000;
-    constexpr double scales[] = {1.0, 0.7, 1.4, 0.5, 0.35};
+    constexpr int most_mends = 2;
+    constexpr double scales[] = {1.0, 0.7, 0.5, 0.35, 1.4};
     // A search over cuts lays out hundreds of sections.
     const bool quick = options.attempts < LayoutOptions{}.attempts;
-    std::vector<Attempt> attempts; // the best first
+    std::vector<Attempt> kept; // the best one
     std::size_t tried = 0;
+    int mends = 0;
     for (const double scale : std::span(scales).first(quick ? 2 : std::size(scales))) {
         poll(progress, 0);
         if (tried > most) {
@@ -267,35 +300,28 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
             continue;
         }
         tried += made->mesh.quads.size();
-        const auto place = std::find_if(attempts.begin(), attempts.end(), [&](const Attempt &a) {
-            return a.quality < made->quality;
-        });
-        attempts.insert(place, std::move(*made));
-        if (attempts.front().quality > (tried > many ? fair : good)) {
+        // Where it is poor is the same at every scale in a large layout: mended at once that costs
+        // less than to begin anew.
+        if (made->quality <= fair && (tried > many || scale == 1.0) && mends < most_mends) {
+            mend(*made, surface);
+            ++mends;
+        }
+        if (kept.empty() || made->quality > kept.front().quality) {
+            kept.assign(1, std::move(*made));
+        }
+        const bool enough = kept.front().mended || tried > many;
+        if (kept.front().quality > (enough ? fair : good)) {
             break;
         }
     }
-    std::optional<FaceMesh> best;
-    double best_quality = -2;
-    for (Attempt &made : std::span(attempts).first(
-             std::min<std::size_t>(quick ? 1 : attempts.size(), attempts.size()))) {
-        if (made.quality <= fair && best_quality <= fair) {
-            poll(progress, 0);
-            constexpr double wanted = 0.3;
-            FaceMesh mended = made.mesh;
-            repair_quads(mended, surface, made.kept, wanted);
-            const double quality = worst_avoidable(mended, surface);
-            if (quality >= made.quality) {
-                made.quality = quality;
-                made.mesh = std::move(mended);
-            }
-        }
-        if (made.quality > best_quality) {
-            best_quality = made.quality;
-            best = std::move(made.mesh);
-        }
+    if (kept.empty()) {
+        return std::nullopt;
     }
-    return best;
+    Attempt &best = kept.front();
+    if (best.quality <= fair && !best.mended) {
+        mend(best, surface);
+    }
+    return std::move(best.mesh);
 }
 
 } // namespace nmgs::cad

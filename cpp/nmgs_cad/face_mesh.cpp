@@ -11,9 +11,10 @@
 namespace nmgs::cad {
 
 std::int32_t FaceMesh::add(const FaceSurface &surface, Uv p) {
-    points.push_back(surface.at(p));
+    const auto place = surface.place(p);
+    points.push_back(place.point);
     uv.push_back(p);
-    normals.push_back(surface.normal(p));
+    normals.push_back(place.normal);
     layout_point.push_back(-1);
     rim.emplace_back();
     return static_cast<std::int32_t>(points.size()) - 1;
@@ -21,9 +22,10 @@ std::int32_t FaceMesh::add(const FaceSurface &surface, Uv p) {
 
 void FaceMesh::move(const FaceSurface &surface, std::int32_t n, Uv p) {
     const auto i = static_cast<std::size_t>(n);
+    const auto place = surface.place(p);
     uv[i] = p;
-    points[i] = surface.at(p);
-    normals[i] = surface.normal(p);
+    points[i] = place.point;
+    normals[i] = place.normal;
 }
 
 Uv FaceMesh::bend(std::int32_t a, std::int32_t b) const {
@@ -114,13 +116,16 @@ std::array<double, 2> corner(const FaceMesh &mesh, const std::array<std::int32_t
         const double l = norm(n);
         n = l > 0 ? (1 / l) * n : n;
     }
-    const Vec3 a = ahead - dot(ahead, n) * n;
-    const Vec3 b = back - dot(back, n) * n;
+    // Of their projections onto the tangent plane.
+    const double above = dot(ahead, n);
+    const double below = dot(back, n);
+    const double a2 = norm2(ahead);
+    const double b2 = norm2(back);
     // A side that stands on the surface has no direction in it.
-    if (!(norm2(a) * norm2(b) > 1e-8 * norm2(ahead) * norm2(back))) {
+    if (!((a2 - above * above) * (b2 - below * below) > 1e-8 * a2 * b2)) {
         return {0, 0};
     }
-    return {dot(n, cross(a, b)), dot(a, b)};
+    return {dot(n, cross(ahead, back)), dot(ahead, back) - above * below};
 }
 
 } // namespace

@@ -21,13 +21,24 @@ FaceSurface::FaceSurface(const TopoDS_Face &face)
       analysis_(new ShapeAnalysis_Surface(BRep_Tool::Surface(face))),
       reversed_(face.Orientation() == TopAbs_REVERSED) {
     BRepTools::UVBounds(face, low_.u, high_.u, low_.v, high_.v);
+    if (plane()) {
+        const gp_Pln flat = surface_.Plane();
+        flat_ = {vec(flat.Location().XYZ()), vec(flat.XAxis().Direction().XYZ()),
+                 vec(flat.YAxis().Direction().XYZ())};
+    }
 }
 
 Vec3 FaceSurface::at(Uv p) const {
+    if (plane()) {
+        return flat_[0] + p.u * flat_[1] + p.v * flat_[2];
+    }
     return vec(surface_.Value(p.u, p.v).XYZ());
 }
 
 std::array<Vec3, 3> FaceSurface::derivatives(Uv p) const {
+    if (plane()) {
+        return {at(p), flat_[1], flat_[2]};
+    }
     gp_Pnt point;
     gp_Vec du;
     gp_Vec dv;
@@ -35,21 +46,35 @@ std::array<Vec3, 3> FaceSurface::derivatives(Uv p) const {
     return {vec(point.XYZ()), vec(du.XYZ()), vec(dv.XYZ())};
 }
 
+std::optional<Vec3> FaceSurface::normal_of(const std::array<Vec3, 3> &d) const {
+    const Vec3 n = cross(d[1], d[2]);
+    const double length = norm(n);
+    // The sine of the angle between the derivatives, and that none of them vanishes.
+    const double scale = norm(d[1]) * norm(d[2]);
+    const double extent = norm(d[1]) * (high_.u - low_.u);
+    const double other = norm(d[2]) * (high_.v - low_.v);
+    if (length > 1e-6 * scale && scale > 0 && extent > 1e-6 * other && other > 1e-6 * extent) {
+        return ((reversed_ ? -1.0 : 1.0) / length) * n;
+    }
+    return std::nullopt;
+}
+
 Vec3 FaceSurface::normal(Uv p) const {
+    return place(p).normal;
+}
+
+FaceSurface::Place FaceSurface::place(Uv p) const {
+    const auto here = derivatives(p);
+    if (const auto n = normal_of(here)) {
+        return {here[0], *n};
+    }
     const Uv middle = 0.5 * (low_ + high_);
-    for (const double step : {0.0, 1e-4, 1e-3, 1e-2, 5e-2}) {
-        const auto d = derivatives(p + step * (middle - p));
-        const Vec3 n = cross(d[1], d[2]);
-        const double length = norm(n);
-        // The sine of the angle between the derivatives, and that none of them vanishes.
-        const double scale = norm(d[1]) * norm(d[2]);
-        const double extent = norm(d[1]) * (high_.u - low_.u);
-        const double other = norm(d[2]) * (high_.v - low_.v);
-        if (length > 1e-6 * scale && scale > 0 && extent > 1e-6 * other && other > 1e-6 * extent) {
-            return ((reversed_ ? -1.0 : 1.0) / length) * n;
+    for (const double step : {1e-4, 1e-3, 1e-2, 5e-2}) {
+        if (const auto n = normal_of(derivatives(p + step * (middle - p)))) {
+            return {here[0], *n};
         }
     }
-    return {0, 0, 0};
+    return {here[0], {0, 0, 0}};
 }
 
 double FaceSurface::curvature(Uv p) const {
@@ -81,6 +106,9 @@ double FaceSurface::curvature(Uv p) const {
 }
 
 Uv FaceSurface::nearest(Vec3 p, Uv guess) const {
+    if (plane()) {
+        return {dot(p - flat_[0], flat_[1]), dot(p - flat_[0], flat_[2])};
+    }
     const gp_Pnt2d found =
         analysis_->NextValueOfUV({guess.u, guess.v}, {p.x, p.y, p.z}, Precision::Confusion());
     Uv q{found.X(), found.Y()};

@@ -33,6 +33,11 @@ public:
     explicit FaceSurface(const TopoDS_Face &face);
 
     [[nodiscard]] Vec3 at(Uv p) const;
+    // Point and normal(): both at once cost less.
+    struct Place {
+        Vec3 point, normal;
+    };
+    [[nodiscard]] Place place(Uv p) const;
     // Point and the derivatives by u and v.
     [[nodiscard]] std::array<Vec3, 3> derivatives(Uv p) const;
     // Unit normal on the side to which the oriented face's normal points. Where the derivatives do
@@ -53,8 +58,12 @@ public:
 private:
     BRepAdaptor_Surface surface_;
     Handle(ShapeAnalysis_Surface) analysis_;
+    // The unit normal where the derivatives, from a D1, span a plane; else nothing.
+    [[nodiscard]] std::optional<Vec3> normal_of(const std::array<Vec3, 3> &d) const;
+
     Uv low_{}, high_{};
     bool reversed_;
+    std::array<Vec3, 3> flat_{}; // of a plane: its origin and axes
 };
 
 } // namespace nmgs::cad

@@ -3,19 +3,18 @@
 
 #include "nmgs/support/at.h"
 #include "nmgs_cad/entity_locator.h"
-#include "nmgs_cad/layout_quality.h"
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <span>
 
 namespace nmgs::cad {
 
-bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
-                Refusal &refusal, const Progress &progress,
-                const std::function<bool(Layout &, const LayoutOptions &, Refusal &)> &fill,
-                double good) {
+std::optional<LayoutQuality>
+fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOptions &options,
+           Refusal &refusal, const Progress &progress,
+           const std::function<bool(Layout &, const LayoutOptions &, Refusal &)> &fill,
+           double good) {
     struct Step {
         double angle;  // of the one asked for
         double pieces; // of the solid's extent, 0: any length
@@ -23,7 +22,7 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
     constexpr Step steps[] = {{1, 0}, {0.5, 0}, {1, 10}, {0.5, 20}, {0.25, 30}};
     constexpr std::size_t enough = 3000; // hexahedra: no finer than this
     std::optional<Layout> best;
-    double quality = -2;
+    LayoutQuality quality;
     const auto most = std::min<std::size_t>(std::size(steps), at(std::max(options.attempts, 1)));
     // What neighbours have laid out may ask for a finer layout than the first.
     for (const Step &step : std::span(steps).first(most)) {
@@ -44,30 +43,30 @@ bool fill_finer(const CadShape &shape, int solid, Layout &layout, const LayoutOp
             if (!best) {
                 refusal = why;
                 if (&step != &steps[0]) {
-                    return false;
+                    return std::nullopt;
                 }
             }
             continue;
         }
-        const double worst = layout_quality(shape, trial, layout.hexas.size()).worst;
+        const LayoutQuality found = layout_quality(shape, trial, layout.hexas.size());
         const std::size_t count = trial.hexas.size() - layout.hexas.size();
-        if (!best || worst > quality) {
-            quality = worst;
+        if (!best || found.worst > quality.worst) {
+            quality = found;
             best = std::move(trial);
         }
-        if (quality >= good || count > enough) {
+        if (quality.reaches(good) || count > enough) {
             break;
         }
     }
     if (!best) {
-        return false;
+        return std::nullopt;
     }
-    if (quality <= 0) {
+    if (quality.worst <= 0) {
         refusal = {"its blocks would be folded", {entity_name(3, solid)}};
-        return false;
+        return std::nullopt;
     }
     layout = std::move(*best);
-    return true;
+    return quality;
 }
 
 } // namespace nmgs::cad

@@ -457,7 +457,8 @@ bool fill_primitive(const CadShape &shape, int solid, Layout &layout, const Layo
                           }
                           transform(*mesh, maps[1]);
                           return add_hexas(shape, solid, *mesh, trial, why);
-                      });
+                      })
+        .has_value();
 }
 
 } // namespace nmgs::cad

@@ -202,7 +202,7 @@ std::vector<Candidate> candidates(const Part &part, const FaceSurface &surface, 
     std::vector<Candidate> result;
     const auto add = [&](FaceMesh mesh, Numbers nodes) {
         constexpr int laplace = 2;
-        constexpr int search = 3;
+        constexpr int search = 1;
         smooth_near(mesh, surface, nodes, 1, laplace, search);
         const double price = price_of(mesh, good);
         result.push_back({std::move(mesh), std::move(nodes), price});
@@ -276,7 +276,9 @@ void repair_quads(FaceMesh &mesh, const FaceSurface &surface,
                   const std::set<std::array<std::int32_t, 2>> &kept, double good) {
     std::set<Quad> hopeless;
     constexpr int most = 40;
-    for (int round = 0; round < most; ++round) {
+    // The worst quads count: where these cannot be mended the others are of no use.
+    constexpr std::size_t patience = 8;
+    for (int round = 0; round < most && hopeless.size() < patience; ++round) {
         double least = good;
         std::int32_t worst = -1;
         for (std::size_t q = 0; q < mesh.quads.size(); ++q) {

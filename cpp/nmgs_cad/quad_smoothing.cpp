@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/quad_smoothing.h"
 
+#include "nmgs/support/vec3.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -10,6 +13,15 @@ namespace nmgs::cad {
 namespace {
 
 using Quad = std::array<std::int32_t, 4>;
+
+// Like exp(-6 x) for x in [-1, 1], of which it takes a good part of the time.
+double steep(double x) {
+    double y = 1 - 0.375 * x;
+    for (int i = 0; i < 4; ++i) {
+        y *= y;
+    }
+    return y;
+}
 
 struct Smoother {
     FaceMesh &mesh;
@@ -47,12 +59,15 @@ struct Smoother {
         return {std::clamp(p.u, surface.low().u, surface.high().u),
                 std::clamp(p.v, surface.low().v, surface.high().v)};
     }
+    // The corner across does not change when the node moves.
     [[nodiscard]] double cost(std::size_t n) const {
-        constexpr double sharpness = 6;
         double sum = 0;
         for (const std::int32_t q : quads_at[n]) {
+            const Quad &nodes = quad(q);
             for (std::size_t c = 0; c < 4; ++c) {
-                sum += std::exp(-sharpness * corner_quality(mesh, quad(q), c));
+                if (static_cast<std::size_t>(nodes[(c + 2) % 4]) != n) {
+                    sum += steep(corner_quality(mesh, nodes, c));
+                }
             }
         }
         return sum + shortness(n);
@@ -62,25 +77,29 @@ struct Smoother {
     [[nodiscard]] double shortness(std::size_t n) const {
         double sum = 0;
         double count = 0;
-        std::vector<double> lengths;
+        constexpr std::size_t most = 24;
+        std::array<double, most> lengths{};
+        std::size_t own = 0;
         for (const std::int32_t q : quads_at[n]) {
+            const Quad &nodes = quad(q);
             for (std::size_t c = 0; c < 4; ++c) {
-                const auto a = static_cast<std::size_t>(quad(q)[c]);
-                const auto b = static_cast<std::size_t>(quad(q)[(c + 1) % 4]);
+                const auto a = static_cast<std::size_t>(nodes[c]);
+                const auto b = static_cast<std::size_t>(nodes[(c + 1) % 4]);
                 const double l = distance(mesh.points[a], mesh.points[b]);
                 sum += l;
                 count += 1;
-                if (a == n || b == n) {
-                    lengths.push_back(l);
+                if ((a == n || b == n) && own < most) {
+                    lengths[own++] = l;
                 }
             }
         }
-        constexpr double sharpness = 6;
         constexpr double enough = 0.5;
         double cost = 0;
-        for (const double l : lengths) {
-            const double share = std::min(1.0, l * count / (enough * sum));
-            cost += std::exp(-sharpness * share) - std::exp(-sharpness);
+        for (std::size_t i = 0; i < own; ++i) {
+            const double share = lengths[i] * count / (enough * sum);
+            if (share < 1) {
+                cost += steep(share) - steep(1);
+            }
         }
         return cost;
     }
@@ -134,31 +153,52 @@ struct Smoother {
     bool search(std::size_t n, double step) {
         const auto id = static_cast<std::int32_t>(n);
         const Uv start = mesh.uv[n];
-        Vec3 normal = mesh.normals[n];
+        const Vec3 normal = mesh.normals[n];
         if (norm2(normal) == 0) {
             return false;
         }
         const Vec3 axis = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-        Vec3 s = cross(normal, axis);
-        s = (1 / norm(s)) * s;
+        const Vec3 s = unit(cross(normal, axis));
         const Vec3 t = cross(normal, s);
         const Vec3 here = mesh.points[n];
-        double best = cost(n);
-        const double old = best;
+        // Steps are short: the tangent plane tells where they lead to.
+        const auto d = surface.derivatives(start);
+        const double e = dot(d[1], d[1]);
+        const double f = dot(d[1], d[2]);
+        const double g = dot(d[2], d[2]);
+        const double det = e * g - f * f;
+        const bool regular = det > 1e-6 * e * g;
+        const double best_before = cost(n);
+        double best = best_before;
         Uv place = start;
+        FaceSurface::Place found{here, normal};
         constexpr int directions = 8;
         for (int k = 0; k < directions; ++k) {
-            const double a = 2 * std::numbers::pi * k / directions;
+            const double angle = 2 * std::numbers::pi * k / directions;
+            const Vec3 off = step * (std::cos(angle) * s + std::sin(angle) * t);
             mesh.uv[n] = start;
-            mesh.move(surface, id, towards(n, here + step * (std::cos(a) * s + std::sin(a) * t)));
+            Uv to{};
+            if (regular) {
+                const double a = dot(off, d[1]);
+                const double b = dot(off, d[2]);
+                to = start + Uv{(g * a - f * b) / det, (e * b - f * a) / det};
+                to = {std::clamp(to.u, surface.low().u, surface.high().u),
+                      std::clamp(to.v, surface.low().v, surface.high().v)};
+            } else {
+                to = towards(n, here + off);
+            }
+            mesh.move(surface, id, to);
             const double c = cost(n);
             if (c < best) {
                 best = c;
-                place = mesh.uv[n];
+                place = to;
+                found = {mesh.points[n], mesh.normals[n]};
             }
         }
-        mesh.move(surface, id, place);
-        return best < old * (1 - 1e-6);
+        mesh.uv[n] = place;
+        mesh.points[n] = found.point;
+        mesh.normals[n] = found.normal;
+        return best < best_before * (1 - 1e-6);
     }
 };
 
@@ -189,16 +229,31 @@ void smooth_quads(FaceMesh &mesh, const FaceSurface &surface, int laplace_rounds
     for (const std::size_t n : free) {
         step[n] = 0.25 * smoother.radius(n);
     }
+    // A node rests when short steps lead nowhere, until one beside it moves.
+    constexpr int most_halvings = 4;
+    std::vector<char> halvings(mesh.points.size(), 0);
     for (int round = 0; round < search_rounds; ++round) {
         bool moved = false;
         for (const std::size_t n : free) {
-            if (round > 3 && smoother.worst(n) > 0.7) {
+            if (halvings[n] >= most_halvings) {
+                continue;
+            }
+            constexpr double fine = 0.7;
+            constexpr double very_fine = 0.9;
+            if (smoother.worst(n) > (round > 1 ? fine : very_fine)) {
                 continue;
             }
             if (smoother.search(n, step[n])) {
                 moved = true;
+                for (const std::int32_t q : smoother.quads_at[n]) {
+                    for (const std::int32_t m : smoother.quad(q)) {
+                        auto &count = halvings[static_cast<std::size_t>(m)];
+                        count = std::min<char>(count, most_halvings - 1);
+                    }
+                }
             } else {
                 step[n] *= 0.5;
+                ++halvings[n];
             }
         }
         if (!moved && round > 6) {

@@ -3,56 +3,22 @@
 
 #include "nmgs/blocking/cusp.h"
 #include "nmgs/blocking/divisions.h"
-#include "nmgs/blocking/generate.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/support/parallel.h"
 #include "nmgs_cad/cad_geometry.h"
-#include "nmgs_cad/snap.h"
+#include "nmgs_cad/split_blocks.h"
 
 #include <algorithm>
 
 namespace nmgs::cad {
 namespace {
 
-std::size_t natural_digit(double natural) {
-    return static_cast<std::size_t>(natural + 1);
-}
-
-// The snapped lattice of the blocks with the given divisions.
-struct Snapped {
-    BlockModel model;
-    Topology topology;
-    Lattice lattice;
-    std::vector<Vec3> points;
-
-    Snapped(const CadShape &shape, const CadBlocks &blocks,
-            std::vector<std::array<std::int32_t, 3>> divisions, SnapParts parts,
-            const Progress &progress)
-        : model(with(blocks.model, std::move(divisions))), topology(find_topology(model)),
-          lattice(model, topology), points(static_cast<std::size_t>(lattice.node_count())) {
-        fill_points(model, lattice, points, progress);
-        snap(shape, model, blocks.binding, lattice, points, progress, 0, 1, parts);
-    }
-    static BlockModel with(const BlockModel &model,
-                           std::vector<std::array<std::int32_t, 3>> divisions) {
-        BlockModel result;
-        result.dimension = model.dimension;
-        result.nodes = model.nodes;
-        result.corners = model.corners;
-        result.divisions = std::move(divisions);
-        return result;
-    }
-    [[nodiscard]] Vec3 at(std::size_t block, LatticeIndex index) const {
-        return points[static_cast<std::size_t>(lattice.node(block, index))];
-    }
-};
-
 constexpr std::int32_t truth = 8; // divisions of the lattice that stands for the CAD
 
 // Largest distance, across the face (u, v), between its lattice and the quadratics through every
 // fourth node along u.
-double quadratic_error(const Snapped &fine, std::size_t block, int code, std::size_t u,
+double quadratic_error(const SnappedBlocks &fine, std::size_t block, int code, std::size_t u,
                        std::size_t v) {
     LatticeIndex at{};
     const auto digits = part::digits(code);
@@ -91,74 +57,6 @@ double quadratic_error(const Snapped &fine, std::size_t block, int code, std::si
 }
 
 } // namespace
-
-CadBlocks split_blocks(const CadShape &shape, const CadBlocks &blocks,
-                       const std::vector<std::array<std::int32_t, 3>> &pieces,
-                       const Progress &progress) {
-    const bool solid = blocks.model.dimension == 3;
-    auto divisions = pieces;
-    for (auto &g : divisions) {
-        g = {2 * g[0], 2 * g[1], solid ? 2 * g[2] : 0};
-    }
-    const Snapped fine(shape, blocks, divisions, SnapParts::all, progress);
-    CadBlocks result;
-    result.model.dimension = blocks.model.dimension;
-    result.report = blocks.report;
-    // The halves' corners are nodes of the lattice, which shares them as the blocks do.
-    const bool numbered = !blocks.model.corners.empty();
-    std::vector<std::int32_t> first; // of the new blocks of each old one
-    for (std::size_t b = 0; b < blocks.model.size(); ++b) {
-        first.push_back(static_cast<std::int32_t>(result.model.size()));
-        const LatticeIndex n{pieces[b][0], pieces[b][1], solid ? pieces[b][2] : 1};
-        for (std::int32_t k = 0; k < n[2]; ++k) {
-            for (std::int32_t j = 0; j < n[1]; ++j) {
-                for (std::int32_t i = 0; i < n[0]; ++i) {
-                    const LatticeIndex piece{i, j, k};
-                    for (std::size_t m = 0; m < (solid ? 20U : 8U); ++m) {
-                        LatticeIndex at{2 * i, 2 * j, solid ? 2 * k : 0};
-                        for (std::size_t d = 0; d < (solid ? 3U : 2U); ++d) {
-                            at[d] += static_cast<std::int32_t>(natural_digit(
-                                solid ? hexa20::natural[m][d] : quad8::natural[m][d]));
-                        }
-                        result.model.nodes.push_back(fine.at(b, at));
-                        if (numbered && m < (solid ? 8U : 4U)) {
-                            result.model.corners.push_back(
-                                static_cast<std::int32_t>(fine.lattice.node(b, at)));
-                        }
-                    }
-                    result.model.divisions.push_back({1, 1, solid ? 1 : 0});
-                    for (int code = 0; code < part::count; ++code) {
-                        auto digits = part::digits(code);
-                        for (std::size_t d = 0; d < 3; ++d) {
-                            const bool low = digits[d] == 0 && piece[d] == 0;
-                            const bool high = digits[d] == 2 && piece[d] == n[d] - 1;
-                            digits[d] = low ? 0 : high ? 2 : 1;
-                        }
-                        if (!solid) {
-                            digits[2] = part::digits(code)[2];
-                        }
-                        for (const CadEntity &e :
-                             blocks.binding.of(b, part::code(digits[0], digits[1], digits[2]))) {
-                            result.binding.entities.push_back(e);
-                        }
-                        result.binding.offsets.push_back(
-                            static_cast<std::int32_t>(result.binding.entities.size()));
-                    }
-                }
-            }
-        }
-    }
-    first.push_back(static_cast<std::int32_t>(result.model.size()));
-    for (FitEntry &entry : result.report) {
-        if (!entry.method.empty()) {
-            const auto from = static_cast<std::size_t>(entry.first_block);
-            const auto to = from + static_cast<std::size_t>(entry.blocks);
-            entry.first_block = first[from];
-            entry.blocks = first[to] - first[from];
-        }
-    }
-    return result;
-}
 
 FitError measure(const CadShape &shape, const CadBlocks &blocks, std::int32_t first,
                  std::int32_t last) {
@@ -213,7 +111,7 @@ namespace {
 
 // By how much the quadratics along each direction of each block miss the CAD, the larger of a
 // chain's for all its directions.
-std::vector<double> errors_of_chains(const CadBlocks &blocks, const Snapped &fine,
+std::vector<double> errors_of_chains(const CadBlocks &blocks, const SnappedBlocks &fine,
                                      const Chains &chains) {
     const std::size_t n = blocks.model.size();
     const auto dimension = static_cast<std::size_t>(blocks.model.dimension);
@@ -240,13 +138,21 @@ std::vector<double> errors_of_chains(const CadBlocks &blocks, const Snapped &fin
         double &error = result[static_cast<std::size_t>(chains.chain[d])];
         error = std::max(error, errors[d]);
     }
-    // Halved, a patch that ends in a cusp would be the worse for it: only where the fit is bad.
+    // Halved, what ends in a cusp would be the worse for it: only where the fit is bad.
     constexpr double patience = 0.1;
     std::vector<char> cusp(result.size(), 0);
-    for (std::size_t b = 0; b < n && dimension == 2; ++b) {
-        if (ends_in_cusp(blocks.model.element(b))) {
-            cusp[static_cast<std::size_t>(chains.chain[2 * b])] = 1;
-            cusp[static_cast<std::size_t>(chains.chain[2 * b + 1])] = 1;
+    for (std::size_t b = 0; b < n; ++b) {
+        const auto nodes = blocks.model.element(b);
+        std::array<bool, 3> spoilt{};
+        if (dimension == 3) {
+            spoilt = spoilt_by_division(nodes.first<20>());
+        } else if (ends_in_cusp(nodes)) {
+            spoilt = {true, true, false};
+        }
+        for (std::size_t d = 0; d < dimension; ++d) {
+            if (spoilt[d]) {
+                cusp[static_cast<std::size_t>(chains.chain[dimension * b + d])] = 1;
+            }
         }
     }
     for (std::size_t c = 0; c < result.size(); ++c) {
@@ -326,7 +232,7 @@ CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double to
         if (n == 0) {
             break;
         }
-        const Snapped fine(
+        const SnappedBlocks fine(
             shape, blocks,
             std::vector(n, std::array<std::int32_t, 3>{truth, truth, solid ? truth : 0}),
             SnapParts::boundary, listener);
@@ -337,12 +243,13 @@ CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double to
         if (std::find(split.begin(), split.end(), 1) == split.end()) {
             break;
         }
-        std::vector<std::array<std::int32_t, 3>> pieces(n, {1, 1, 1});
+        std::vector<BlockCuts> cuts(n);
         for (std::size_t d = 0; d < chains.chain.size(); ++d) {
-            pieces[d / dimension][d % dimension] =
-                split[static_cast<std::size_t>(chains.chain[d])] != 0 ? 2 : 1;
+            if (split[static_cast<std::size_t>(chains.chain[d])] != 0) {
+                cuts[d / dimension][d % dimension] = {0.5};
+            }
         }
-        blocks = split_blocks(shape, blocks, pieces, listener);
+        blocks = split_blocks(shape, blocks, cuts, listener);
     }
     measure_report(shape, blocks);
     return blocks;

@@ -8,12 +8,6 @@
 
 namespace nmgs::cad {
 
-// Splits each block in two along the directions that pieces[block] asks for (2; 1 keeps it). Blocks
-// that share an edge must ask for the same along it. New nodes lie on the CAD as snap() puts them.
-CadBlocks split_blocks(const CadShape &shape, const CadBlocks &blocks,
-                       const std::vector<std::array<std::int32_t, 3>> &pieces,
-                       const Progress &progress = {});
-
 // Splits along whole chains of blocks, only in directions in which the quadratic does not follow
 // the CAD, until no block's face is farther than tolerance from its CAD face, or no more than
 // max_rounds times. Chains whose halving would lead to more than most_blocks blocks are kept, the

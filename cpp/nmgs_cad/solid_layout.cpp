@@ -33,6 +33,8 @@ constexpr SolidStrategy strategies[] = {
 
 // More than the volume of a coarse mesh of a round solid may be wrong by.
 constexpr double volume_error = 0.1;
+// A worst scaled Jacobian that finer divisions may turn over.
+constexpr double folded = 0.01;
 
 // Vertices, edges and faces of the solid that the layout has nothing on: what lies embedded in a
 // face or in the solid, for example, where a strategy looks at boundaries only.
@@ -101,7 +103,7 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
             continue;
         }
         poll(progress, 0.0);
-        if (best && best->quality.worst >= options.good &&
+        if (best && best->quality.reaches(options.good) &&
             (strategy == &fill_cut || best->entry.blocks == 1)) {
             break; // the search for cuts is dear; there are no fewer blocks than one
         }
@@ -134,7 +136,7 @@ std::optional<Filling> fill(const CadShape &shape, int solid, const Layout &layo
         }
         filling.quality = layout_quality(shape, filling.layout, layout.hexas.size());
         const double volume = std::abs(volume_of(shape.solid(solid)));
-        if (filling.quality.worst <= 0) {
+        if (filling.quality.worst <= folded) {
             refuse({"its blocks would be folded", {entity_name(3, solid)}});
             continue;
         }

@@ -85,46 +85,64 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
                 Refusal &refusal, const Progress &progress) {
     refusal = {"no two of its plane faces are parallel", {entity_name(3, solid)}};
     Directions found = directions(shape, solid);
+    constexpr double good = 0.2; // a sweep that is worse may be better in another direction
+    std::optional<Layout> best;
+    double quality = 0;
+    // Whether a sweep is good enough; the best one is kept.
+    const auto attempt = [&](Refusal &why, const auto &fill) {
+        Layout trial = layout;
+        const auto reached =
+            fill_finer(shape, solid, trial, options, why, progress,
+                       [&](Layout &finer, const LayoutOptions &how, Refusal &no) {
+                           return fill(finer, how, no);
+                       });
+        if (reached && reached->worst > quality) {
+            quality = reached->worst;
+            best = std::move(trial);
+        }
+        return reached && reached->reaches(good);
+    };
+    const auto sweep = [&](const Section &section, Refusal &why) {
+        return attempt(why, [&](Layout &trial, const LayoutOptions &finer, Refusal &no) {
+            return sweep_section(shape, solid, section, trial, finer, no, progress);
+        });
+    };
+    const auto done = [&] {
+        if (best) {
+            layout = std::move(*best);
+        }
+        return best.has_value();
+    };
     for (const gp_Dir &direction : found.normals) {
         if (late(options)) {
-            break;
+            return done();
         }
         poll(progress, 0.0);
         Section section;
         if (section_along(shape, solid, direction, layout, section, refusal) &&
-            fill_finer(shape, solid, layout, options, refusal, progress,
-                       [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
-                           return sweep_section(shape, solid, section, trial, finer, why, progress);
-                       })) {
-            return true;
+            sweep(section, refusal)) {
+            return done();
         }
     }
     found.normals.insert(found.normals.end(), found.axes.begin(), found.axes.end());
     for (const gp_Dir &direction : found.normals) {
         if (late(options)) {
-            break;
+            return done();
         }
         poll(progress, 0.0);
         Section section;
         Refusal why;
-        if (section_over(shape, solid, direction, layout, section, why) &&
-            fill_finer(shape, solid, layout, options, why, progress,
-                       [&](Layout &trial, const LayoutOptions &finer, Refusal &no) {
-                           return sweep_section(shape, solid, section, trial, finer, no, progress);
-                       })) {
-            return true;
+        if (section_over(shape, solid, direction, layout, section, why) && sweep(section, why)) {
+            return done();
         }
         refusal.reason += "; " + why.reason;
     }
     Refusal other;
-    if (fill_finer(shape, solid, layout, options, other, progress,
-                   [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
-                       return fill_loft(shape, solid, trial, finer, why, progress);
-                   })) {
-        return true;
-    }
+    attempt(other, [&](Layout &trial, const LayoutOptions &finer, Refusal &why) {
+        return fill_loft(shape, solid, trial, finer, why, progress);
+    });
     refusal.reason += "; " + other.reason;
-    return false;
+    return done();
 }
 
 } // namespace nmgs::cad

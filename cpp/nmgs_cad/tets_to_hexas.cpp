@@ -21,6 +21,14 @@ namespace {
 // For each corner of a tetrahedron the three others, right-handed.
 constexpr std::array<std::array<std::size_t, 3>, 4> others{
     {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {0, 2, 1}}};
+// Listens to a part of the work.
+Progress part_of(const Progress &progress, double from, double to) {
+    return progress ? Progress([&progress, from, to](double f) {
+        return progress(from + f * (to - from));
+    })
+                    : Progress();
+}
+
 double scaled(Vec3 u, Vec3 v, Vec3 w) {
     const double l = norm(u) * norm(v) * norm(w);
     return l > 0 ? determinant(u, v, w) / l : -1;
@@ -75,6 +83,23 @@ double worst_of(const Layout &layout, const Layout::Hexa &hexa) {
 
 constexpr double sound = 1e-3;
 
+// Where a hexahedron is not what it must keep, its points go back, and so on round them.
+void put_back(Layout &layout, std::size_t first, const std::vector<Vec3> &before,
+              const std::vector<double> &least) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t h = first; h < layout.hexas.size(); ++h) {
+            if (worst_of(layout, layout.hexas[h]) >= least[h - first]) {
+                continue;
+            }
+            for (const std::int32_t n : layout.hexas[h].points) {
+                changed = changed || !(layout.points[at(n)] == before[at(n)]);
+                layout.points[at(n)] = before[at(n)];
+            }
+        }
+    }
+}
+
 // Moves points round the hexahedra below `bad`. That looks at their corners only: where it folds
 // the inside of a sound one, its points go back (strict), and so on round them.
 void raise(const CadShape &shape, Layout &layout, std::size_t first, double bad, double good,
@@ -87,17 +112,41 @@ void raise(const CadShape &shape, Layout &layout, std::size_t first, double bad,
         least.push_back(std::min(sound, worst_of(layout, layout.hexas[h])));
     }
     improve_mesh(shape, layout.points, layout.on, nodes, {}, {}, bad, {.good = good}, progress);
-    for (bool changed = strict; changed;) {
-        changed = false;
-        for (std::size_t h = first; h < layout.hexas.size(); ++h) {
-            if (worst_of(layout, layout.hexas[h]) >= least[h - first]) {
-                continue;
-            }
-            for (const std::int32_t n : layout.hexas[h].points) {
-                changed = changed || !(layout.points[at(n)] == before[at(n)]);
-                layout.points[at(n)] = before[at(n)];
-            }
+    if (strict) {
+        put_back(layout, first, before, least);
+    }
+}
+
+// Raises what is below 0.25: corner by corner, then the neighbourhoods that stay below 0.2.
+void polish(const CadShape &shape, Layout &layout, std::size_t first, const Progress &progress) {
+    constexpr double good = 0.25;
+    constexpr double poor = 0.2;
+    std::vector<std::array<std::int32_t, 8>> nodes;
+    std::vector<Vec3> before = layout.points;
+    std::vector<double> least;
+    for (std::size_t h = first; h < layout.hexas.size(); ++h) {
+        nodes.push_back(layout.hexas[h].points);
+        least.push_back(std::min(sound, worst_of(layout, layout.hexas[h])));
+    }
+    const auto keep = [&] {
+        put_back(layout, first, before, least);
+        before = layout.points;
+    };
+    constexpr int visits = 12'000;
+    raise_mesh(shape, layout.points, layout.on, nodes, good, visits, part_of(progress, 0, 0.5));
+    keep();
+    constexpr int turns = 2;
+    constexpr int spots = 60;
+    for (int turn = 0; turn < turns; ++turn) {
+        const double from = 0.5 + 0.25 * turn;
+        if (!improve_spots(shape, layout.points, layout.on, nodes, poor, good, spots,
+                           part_of(progress, from, from + 0.1))) {
+            break;
         }
+        keep();
+        raise_mesh(shape, layout.points, layout.on, nodes, good, visits / 4,
+                   part_of(progress, from + 0.1, from + 0.25));
+        keep();
     }
 }
 
@@ -160,11 +209,7 @@ int straighten(Layout &layout, const std::vector<std::vector<std::int32_t>> &par
 TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const SolidTets> solids,
                        Layout &layout, const Progress &progress) {
     CadTets mesh(shape, skin, solids);
-    mesh.split_grazing();
-    mesh.split_folding(4);
-    poll(progress, 0.1);
-    mesh.smooth(6);
-    poll(progress, 0.2);
+    mesh.improve(part_of(progress, 0, 0.3));
 
     // Points of the layout: corners, middles of edges, of faces, of tetrahedra.
     std::vector<std::int32_t> number(mesh.points.size(), -1);
@@ -233,7 +278,7 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
         }
         if (t % 256 == 0) {
             poll(progress,
-                 0.2 + 0.3 * static_cast<double>(t) / static_cast<double>(mesh.tets.size()));
+                 0.3 + 0.1 * static_cast<double>(t) / static_cast<double>(mesh.tets.size()));
         }
     }
     for (const auto &t : mesh.triangles) {
@@ -259,25 +304,19 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     }
 
     const std::vector<Vec3> start = layout.points;
-    const auto better = [&](double bad, double good, double from, double to) {
-        const Progress listener =
-            progress ? Progress([&](double f) { return progress(from + f * (to - from)); })
-                     : Progress();
-        raise(shape, layout, first_hexa, bad, good, true, listener);
-    };
     // The few that are inside out first: they need many sweeps over few points.
-    better(0.005, 0.1, 0.5, 0.6);
+    raise(shape, layout, first_hexa, 0.005, 0.1, true, part_of(progress, 0.4, 0.5));
     // Where many stay so, a finer skin must help first.
     constexpr std::ptrdiff_t many = 200;
     const auto folded_ones = std::count_if(
         layout.hexas.begin() + static_cast<std::ptrdiff_t>(first_hexa), layout.hexas.end(),
         [&](const auto &hexa) { return corners_of(layout, hexa) < sound; });
     if (folded_ones < many) {
-        better(0.1, 0.2, 0.6, 0.8);
+        polish(shape, layout, first_hexa, part_of(progress, 0.5, 0.9));
     }
 
     // A finer skin helps where the CAD bends a tetrahedron, and a flat one anywhere is still sound.
-    constexpr double folded = 0.03;
+    constexpr double folded = 0.01;
     constexpr double flat = 1e-5;
     constexpr double bent = 1e-3;
     std::int32_t last = -1;

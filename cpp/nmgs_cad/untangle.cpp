@@ -361,4 +361,107 @@ std::vector<std::int32_t> improve_mesh(const CadShape &shape, std::span<Vec3> po
     return result;
 }
 
+void raise_mesh(const CadShape &shape, std::span<Vec3> points, std::span<const CadEntity> on,
+                std::span<const std::array<std::int32_t, 8>> hexahedra, double good, int visits,
+                const Progress &progress) {
+    CadSlides slides(shape, on, {});
+    UntangleOptions options;
+    options.each = true;
+    options.good = good;
+    options.raises = visits;
+    untangle(points, hexahedra, {}, slides, options, progress);
+}
+
+bool improve_spots(const CadShape &shape, std::span<Vec3> points, std::span<const CadEntity> on,
+                   std::span<const std::array<std::int32_t, 8>> hexahedra, double bad, double good,
+                   int most, const Progress &progress) {
+    constexpr int layers = 2;
+    std::vector<std::vector<std::int32_t>> of(points.size());
+    const auto quality = [&](std::int32_t c) {
+        std::array<Vec3, 8> p{};
+        for (std::size_t k = 0; k < 8; ++k) {
+            p[k] = points[static_cast<std::size_t>(hexahedra[static_cast<std::size_t>(c)][k])];
+        }
+        return hexahedron::scaled_jacobian(p.data());
+    };
+    std::vector<std::pair<double, std::int32_t>> order;
+    for (std::size_t c = 0; c < hexahedra.size(); ++c) {
+        for (const std::int32_t n : hexahedra[c]) {
+            of[static_cast<std::size_t>(n)].push_back(static_cast<std::int32_t>(c));
+        }
+        const double q = quality(static_cast<std::int32_t>(c));
+        if (q < bad) {
+            order.emplace_back(q, static_cast<std::int32_t>(c));
+        }
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<char> done(hexahedra.size(), 0); // bad ones next to the middle of an earlier spot
+    std::vector<std::int32_t> local(points.size(), -1);
+    std::vector<char> taken(hexahedra.size(), 0);
+    int spots = 0;
+    for (const auto &[known, seed] : order) {
+        if (done[static_cast<std::size_t>(seed)] != 0 || quality(seed) >= bad) {
+            continue;
+        }
+        if (++spots > most) {
+            break;
+        }
+        poll(progress, static_cast<double>(spots) / most);
+        std::vector<std::int32_t> cells{seed};
+        taken[static_cast<std::size_t>(seed)] = 1;
+        std::size_t inner = 0; // cells all of whose neighbours are there
+        for (int layer = 0; layer < layers; ++layer) {
+            inner = cells.size();
+            for (std::size_t i = 0; i < inner; ++i) {
+                for (const std::int32_t n : hexahedra[static_cast<std::size_t>(cells[i])]) {
+                    for (const std::int32_t c : of[static_cast<std::size_t>(n)]) {
+                        if (taken[static_cast<std::size_t>(c)] == 0) {
+                            taken[static_cast<std::size_t>(c)] = 1;
+                            cells.push_back(c);
+                        }
+                    }
+                }
+            }
+        }
+        std::vector<std::int32_t> nodes;
+        std::vector<std::array<std::int32_t, 8>> mine;
+        std::vector<CadEntity> where;
+        std::vector<Vec3> places;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            auto &cell = mine.emplace_back(hexahedra[static_cast<std::size_t>(cells[i])]);
+            for (std::int32_t &n : cell) {
+                std::int32_t &number = local[static_cast<std::size_t>(n)];
+                if (number < 0) {
+                    number = static_cast<std::int32_t>(nodes.size());
+                    nodes.push_back(n);
+                    places.push_back(points[static_cast<std::size_t>(n)]);
+                    where.push_back(i < inner ? on[static_cast<std::size_t>(n)]
+                                              : CadEntity{-1, 0});
+                }
+                n = number;
+            }
+        }
+        CadSlides slides(shape, where, {});
+        UntangleOptions options;
+        options.good = good;
+        options.raises = 2000;
+        options.sweeps = 30;
+        untangle(places, mine, {}, slides, options, progress);
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            points[static_cast<std::size_t>(nodes[n])] = places[n];
+            local[static_cast<std::size_t>(nodes[n])] = -1;
+        }
+        for (const std::int32_t c : cells) {
+            taken[static_cast<std::size_t>(c)] = 0;
+        }
+        done[static_cast<std::size_t>(seed)] = 1;
+        for (const std::int32_t n : hexahedra[static_cast<std::size_t>(seed)]) {
+            for (const std::int32_t c : of[static_cast<std::size_t>(n)]) {
+                done[static_cast<std::size_t>(c)] = 1;
+            }
+        }
+    }
+    return spots > 0;
+}
+
 } // namespace nmgs::cad

@@ -7,6 +7,8 @@
 #include "nmgs/quality/untangle.h"
 #include "nmgs_cad/layout.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -37,5 +39,18 @@ improve_mesh(const CadShape &shape, std::span<Vec3> points, std::span<const CadE
              std::span<const std::int32_t> hexahedra, std::span<const std::int32_t> quads,
              std::span<const std::int32_t> face_of, double bad, const UntangleOptions &options = {},
              const Progress &progress = {});
+
+// Raises each corner of a mesh of hexahedra that is below `good`, as far as it will go; see
+// UntangleOptions::each. Raises Cancelled.
+void raise_mesh(const CadShape &shape, std::span<Vec3> points, std::span<const CadEntity> on,
+                std::span<const std::array<std::int32_t, 8>> hexahedra, double good, int visits,
+                const Progress &progress = {});
+
+// Improves neighbourhoods of the hexahedra below `bad`, each by itself, the worst first, towards
+// `good`: what nothing helps keeps the others from nothing. At most so many neighbourhoods. Whether
+// there were any. Raises Cancelled.
+bool improve_spots(const CadShape &shape, std::span<Vec3> points, std::span<const CadEntity> on,
+                   std::span<const std::array<std::int32_t, 8>> hexahedra, double bad, double good,
+                   int most, const Progress &progress = {});
 
 } // namespace nmgs::cad

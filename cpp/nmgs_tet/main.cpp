@@ -13,7 +13,9 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -30,11 +32,26 @@ constexpr int protocol_code = 101;
 
 int answer_descriptor = -1;
 
-// TetGen writes the facets that it leaves out into two files; nobody reads them.
+// TetGen writes the triangles that it leaves out into two files.
 const std::string &left_out_files() {
     static const std::string prefix =
         std::filesystem::temp_directory_path().string() + "/nmgs-tet-" + std::to_string(::getpid());
     return prefix;
+}
+
+// Says which triangles were left out, each by its nodes, on standard error as TetGen's own words
+// are.
+void tell_left_out() {
+    std::ifstream file(left_out_files() + "_skipped.face");
+    std::string line;
+    std::getline(file, line); // how many there are
+    long number = 0;
+    long a = 0;
+    long b = 0;
+    long c = 0;
+    while (std::getline(file, line) && std::istringstream(line) >> number >> a >> b >> c) {
+        std::fprintf(stderr, "left out [%ld, %ld, %ld]\n", a, b, c);
+    }
 }
 
 void remove_left_out_files() {
@@ -49,6 +66,7 @@ void remove_left_out_files() {
 [[noreturn]] void leave(int status) {
     std::fflush(stdout);
     std::fflush(stderr);
+    remove_left_out_files();
     std::_Exit(status);
 }
 
@@ -124,7 +142,7 @@ int main(int argc, char **argv) {
     } catch (const std::exception &e) {
         leave_with_error(internal_code, e.what());
     } catch (int code) { // TetGen's way to stop
-        remove_left_out_files();
+        tell_left_out();
         leave_with_error(code, "");
     }
 }

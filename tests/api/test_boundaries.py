@@ -150,7 +150,7 @@ def test_choosing_the_workbench_imports_nothing_heavy():
     """Commands import the console API, NumPy and Part when they are used, not before."""
     light = {"resources", "texts", "commands", "objects", "taskpanels"}
     light |= {"objects.stale", "objects.preferences", "objects.run"}
-    light |= {"taskpanels.messages", "taskpanels.progress"}
+    light |= {"taskpanels.messages", "taskpanels.progress", "taskpanels.cutting_picks"}
     package = "freecad.NMGSWorkbench."
     start = [*(PACKAGE / "commands").glob("*.py"), PACKAGE / "init_gui.py"]
     start += [PACKAGE / (name.replace(".", "/") + ".py") for name in light if "." in name]

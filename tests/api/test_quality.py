@@ -52,11 +52,13 @@ PAIRS = [
 ]
 
 
-def random_cells(name: str, count: int = 300) -> nmgs.Mesh:
+def random_cells(name: str, count: int = 300, plane: bool = False) -> nmgs.Mesh:
     rng = np.random.default_rng(7)
     corners = np.array(REFERENCE[name][1], dtype=float)
     stretch = rng.uniform(0.3, 3.0, (count, 1, 3))
     points = corners * stretch + rng.uniform(-0.18, 0.18, (count, len(corners), 3))
+    if plane:
+        points[..., 2] = 0
     turn = np.linalg.qr(rng.normal(size=(count, 3, 3)))[0]
     turn *= np.sign(np.linalg.det(turn))[:, None, None]
     points = points @ turn
@@ -88,7 +90,8 @@ def vtk_quality(mesh: nmgs.Mesh, name: str, measure: str) -> np.ndarray:
 
 @pytest.mark.parametrize("name, metric, measure", PAIRS)
 def test_agrees_with_vtk(name, metric, measure):
-    mesh = random_cells(name)
+    # Of quads that are not plane VTK 9.6 has another aspect ratio than VTK 9.1 and 9.3.
+    mesh = random_cells(name, plane=(name, metric) == ("quad", "aspect_ratio"))
     ours = mesh.quality(metric)[name]
     theirs = vtk_quality(mesh, name, measure)
     if measure == "Warpage":

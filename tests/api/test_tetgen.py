@@ -3,9 +3,11 @@
 
 import os
 import shutil
+import subprocess
 
 import numpy as np
 import pytest
+from tetgen_bounds import NEWER, volume_bound
 from tetgen_cases import (
     CUBE,
     CUBE_FACETS,
@@ -55,7 +57,7 @@ def test_cube_is_filled(switches):
 
 def test_quality_and_volume_bounds_hold():
     mesh = nmgs.tetrahedralize(cube(), nmgs.TetOptions(plc=True, quality=True, max_volume=0.002))
-    assert volumes(mesh.points, corners(mesh)).max() <= 0.002 * (1 + 1e-12)
+    assert volumes(mesh.points, corners(mesh)).max() <= volume_bound(0.002)
 
 
 def test_convex_hull_of_two_cubes():
@@ -86,7 +88,7 @@ def test_regions_and_holes():
     mesh = nmgs.tetrahedralize(plc, "pqa")
     volume = volumes(mesh.points, mesh.cells["tetra"])
     assert volume[mesh.groups["Core"][1]].sum() == pytest.approx(0.125, rel=1e-9)
-    assert volume[mesh.groups["Core"][1]].max() <= 0.001 * (1 + 1e-12)
+    assert volume[mesh.groups["Core"][1]].max() <= volume_bound(0.001)
     assert volume[mesh.groups["Shell"][1]].sum() == pytest.approx(0.875, rel=1e-9)
     hollow = nmgs.PLC(both.points, [both.facet(f) for f in range(len(both))], [[0.5, 0.5, 0.5]])
     check_mesh(nmgs.tetrahedralize(hollow, "pq"), volume=0.875)
@@ -116,8 +118,12 @@ def test_sizes_at_points_and_in_a_background():
     coarse = nmgs.tetrahedralize(cube(), "pqm", sizes=np.full(8, 0.5))
     fine = nmgs.tetrahedralize(cube(), "pqm", sizes=np.full(8, 0.15))
     assert len(corners(fine)) > 4 * len(corners(coarse))
-    background = nmgs.tetrahedralize(CUBE, "")
-    same = nmgs.tetrahedralize(cube(), "pq", background=(background, np.full(8, 0.15)))
+    background = (nmgs.tetrahedralize(CUBE, ""), np.full(8, 0.15))
+    if NEWER:  # its program crashes as well
+        with pytest.raises(nmgs.TetGenError, match="over the background mesh"):
+            nmgs.tetrahedralize(cube(), "pq", background=background)
+        return
+    same = nmgs.tetrahedralize(cube(), "pq", background=background)
     assert len(corners(same)) > 4 * len(corners(coarse))
     check_mesh(same, volume=1.0)
 
@@ -126,11 +132,12 @@ def test_refine_coarsen_and_insert():
     first = nmgs.tetrahedralize(cube(), "pqa0.02")
     refined = nmgs.tetrahedralize(first, "rqa0.001")
     check_mesh(refined, volume=1.0)
-    assert volumes(refined.points, corners(refined)).max() <= 0.001 * (1 + 1e-12)
+    assert volumes(refined.points, corners(refined)).max() <= volume_bound(0.001)
     limits = np.full(len(corners(first)), 1.0)
     limits[0] = 1e-5
     local = nmgs.tetrahedralize(first, "rq", volumes=limits)
-    assert len(corners(first)) < len(corners(local)) < len(corners(refined))
+    # Tetrahedra of that volume everywhere would be 100 000 or more.
+    assert len(corners(first)) < len(corners(local)) < 0.1 / limits[0]
     inserted = nmgs.tetrahedralize(cube(), "p", added_points=[[0.3, 0.4, 0.5]])
     assert (np.abs(inserted.points - [0.3, 0.4, 0.5]).max(axis=1) < 1e-15).any()
     second = nmgs.tetrahedralize(nmgs.tetrahedralize(cube(), "pqo2a0.05"), "rq")
@@ -152,6 +159,10 @@ def test_neighbours_and_edges_and_faces():
 
 
 def test_voronoi_is_dual():
+    if NEWER:
+        with pytest.raises(ValueError, match="voronoi"):
+            nmgs.TetOptions(voronoi=True)
+        return
     points = np.random.default_rng(2).random((60, 3))
     mesh = nmgs.tetrahedralize(points, nmgs.TetOptions(voronoi=True))
     voronoi = mesh.tetgen.voronoi
@@ -244,12 +255,16 @@ FILES = corpus_files("poly", "smesh", "off", "stl", "ply", "mesh")
 def test_parity_with_the_program(path, tmp_path):
     if not SWEEP and path.stat().st_size > 100_000:
         pytest.skip("large; NMGS_SWEEP=1 runs it")
-    theirs = program(tmp_path, path, "pq")
+    try:
+        theirs = program(tmp_path, path, "pq", timeout=None if SWEEP else 60)
+    except subprocess.TimeoutExpired:
+        pytest.skip("the program takes over a minute; NMGS_SWEEP=1 runs it")
     try:
         ours = nmgs.tetrahedralize(path, "pq", timeout=300)
     except nmgs.TetGenError as error:
         assert theirs is None
-        assert error.facets
+        # 1.6 may fail long after the boundary stands: then no facet is to blame.
+        assert error.facets or NEWER and error.code == 2
         return
     except nmgs.FormatError:
         assert theirs is None
@@ -274,7 +289,7 @@ def test_parity_where_the_boundary_of_an_stl_is_kept(tmp_path):
 
 
 @pytest.mark.skipif(not FILES, reason="no corpus: set NMGS_CORPUS")
-def test_closed_surfaces_keep_their_volume():
+def test_closed_surfaces_keep_their_volume(tmp_path):
     tried = 0
     for path in corpus_files("off"):
         if path.stat().st_size > 60_000:
@@ -288,7 +303,13 @@ def test_closed_surfaces_keep_their_volume():
         if not triangles or plc.check():
             continue
         # Without -M TetGen makes facets that meet at more than 179.9 degrees one plane.
-        mesh = nmgs.tetrahedralize(plc, "pM")
+        try:
+            mesh = nmgs.tetrahedralize(plc, "pM")
+        except nmgs.TetGenError:
+            # 1.6 refuses some that 1.5 meshes.
+            (tmp_path / path.stem).mkdir()
+            assert NEWER and program(tmp_path / path.stem, path, "pM") is None
+            continue
         assert volumes(mesh.points, corners(mesh)).sum() == pytest.approx(
             surface_volume(plc), rel=1e-9
         )

@@ -56,6 +56,57 @@ TEST(Cusp, KeepsOneDivision) {
     EXPECT_EQ(solve_divisions(model, topology, wish)[0][0], 3); // who asks for it gets it
 }
 
+// A patch of 8 nodes carried up by 1.
+std::array<Vec3, 20> carried(const std::vector<Vec3> &patch) {
+    std::array<Vec3, 20> nodes{};
+    const Vec3 up{0, 0, 1};
+    for (std::size_t k = 0; k < 4; ++k) {
+        nodes[k] = patch[k];
+        nodes[4 + k] = patch[k] + up;
+        nodes[8 + k] = patch[4 + k];
+        nodes[12 + k] = patch[4 + k] + up;
+        nodes[16 + k] = patch[k] + 0.5 * up;
+    }
+    return nodes;
+}
+
+TEST(Cusp, OfABlockIsSpoiltAcrossTheTipOnly) {
+    // The tip's x axis is straight: dividing it leaves the angle as it is. The arc is along eta.
+    EXPECT_EQ(spoilt_by_division(carried(tip(0.41))), (std::array{false, true, false}));
+    // Halves of these are good enough.
+    EXPECT_EQ(spoilt_by_division(carried(tip(1.0))), (std::array{false, false, false}));
+    const auto cube = carried(straight({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}));
+    EXPECT_EQ(spoilt_by_division(cube), (std::array{false, false, false}));
+}
+
+TEST(Cusp, AKnifeEdgeIsSharpNotStraight) {
+    EXPECT_TRUE(ends_in_knife(carried(tip(0.41))));
+    // The circle goes straight on as a line.
+    const auto on = [](double a) { return Vec3{std::sin(a), 1 - std::cos(a), 0}; };
+    auto patch = straight({{{0, 0, 0}, on(0.41), {0, 1, 0}, {-0.4, 0, 0}}});
+    patch[4] = on(0.205);
+    EXPECT_TRUE(spoilt_by_division(carried(patch))[0]);
+    EXPECT_FALSE(ends_in_knife(carried(patch)));
+}
+
+TEST(Cusp, EndsOfABlockTakeWhatTheirCornersNeed) {
+    const auto nodes = carried(tip(1.0));
+    const auto on_circle = [&](std::size_t c, std::size_t d, double f) {
+        const bool arc = d == 1 && (c == 0 || c == 4);
+        return arc ? Vec3{std::sin(f), 1 - std::cos(f), c == 4 ? 1.0 : 0.0}
+                   : edges_of(nodes)(c, d, f);
+    };
+    const auto shares = shares_of_ends(nodes, on_circle, {6, 6, 2});
+    // An arc's chord leaves its tangent by half the angle that it turns by; steps of 0.02.
+    EXPECT_NEAR(shares[1][0], 2 * std::asin(0.203), 0.021);
+    EXPECT_GE(std::sin(0.5 * shares[1][0]), 0.2);
+    EXPECT_EQ(shares[1][1], 0);
+    for (const std::size_t d : {0U, 2U}) {
+        EXPECT_EQ(shares[d], (std::array{0.0, 0.0}));
+    }
+    EXPECT_EQ(shares_of_ends(nodes, on_circle, {6, 2, 2})[1][0], 0); // good enough already
+}
+
 TEST(Cusp, PatchesByTheThousandAreDividedByTheirTurn) {
     // A strip of many patches of a cylinder, each turning by 30 degrees.
     BlockModel model;

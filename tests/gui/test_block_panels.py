@@ -268,3 +268,20 @@ def test_counts_are_written_on_the_edges(document, flange):
     wait_until(lambda: texts.getNumChildren() == 1)
     view.Visibility = False
     wait_until(lambda: texts.getNumChildren() == 0)
+
+
+def test_many_blocks_are_drawn_finely_with_one_count_a_chain(document):
+    grid = nmgs.shapes.cube(divisions=5).generate(order=2)
+    model = nmgs.BlockModel(grid.points[grid.cells["hexahedron20"]], [[3, 2, 1]] * 125)
+    view = make.blocks_from_model(document, model).ViewObject
+    document.recompute()
+    texts = view.Proxy._counts
+    wait_until(lambda: texts.getNumChildren() == 1)
+    # Five layers of blocks in each of three directions.
+    assert texts.getChild(0).getNumChildren() == 15
+    wait_until(lambda: view.LineWidth == 2 and view.PointSize == 3)
+    view.LineWidth = 7
+    document.Blocks.touch()
+    document.recompute()
+    process_events(50)
+    assert view.LineWidth == 7

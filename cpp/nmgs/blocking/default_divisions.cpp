@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace nmgs {
 namespace {
@@ -24,12 +25,17 @@ double turn(Vec3 low, Vec3 middle, Vec3 high) {
     return size > 0 ? std::acos(std::clamp(dot(start, end) / size, -1.0, 1.0)) : 0.0;
 }
 
-// What a chain needs: the longest edge, the largest turn, and that divided by the angle allowed.
-// single: a patch of it ends in a cusp and stays whole, if the others do with that.
+// What a chain needs: the longest edge, and the largest turn divided by the angle allowed. single:
+// a patch of it ends in a cusp and stays whole, if the others do with as many as `few`.
 struct Needs {
-    std::vector<double> length, angles;
+    std::vector<double> length, angles, few;
     std::vector<char> single;
 };
+
+// Times the angle that is allowed elsewhere: along chains with cusps, and at the cusp of a block,
+// where the corner is as it should be only if the element turns by so much.
+constexpr double bent = 2.35;
+constexpr double bent_at_cusp = 6.5;
 
 Vec3 place(const BlockModel &model, std::size_t block, const std::array<double, 3> &t) {
     const auto nodes = model.element(block);
@@ -37,11 +43,12 @@ Vec3 place(const BlockModel &model, std::size_t block, const std::array<double, 
                                 : quad8::map(nodes.first<8>(), t[0], t[1]);
 }
 
-Needs needs_of(const BlockModel &model, const Chains &chains, const DefaultDivisions &options) {
+Needs needs_of(const BlockModel &model, const Chains &chains, std::span<const std::int32_t> part,
+               const DefaultDivisions &options) {
     const auto count = static_cast<std::size_t>(chains.count);
     const auto n = static_cast<std::size_t>(model.dimension);
     Needs needs{std::vector<double>(count, 0), std::vector<double>(count, 0),
-                std::vector<char>(count, 0)};
+                std::vector<double>(count, 0), std::vector<char>(count, 0)};
     for (std::size_t b = 0; b < model.size(); ++b) {
         const auto chain = [&](std::size_t d) {
             return static_cast<std::size_t>(chains.chain[b * n + d]);
@@ -52,6 +59,13 @@ Needs needs_of(const BlockModel &model, const Chains &chains, const DefaultDivis
         }
         if (n == 2 && ends_in_cusp(model.element(b))) {
             needs.single[chain(0)] = needs.single[chain(1)] = 1;
+        }
+        std::array<bool, 3> spoilt{};
+        if (n == 3 && !options.structured.empty() && options.structured[at(part[b])] != 0) {
+            spoilt = spoilt_by_division(model.element(b).first<20>());
+            for (std::size_t d = 0; d < 3; ++d) {
+                needs.single[chain(d)] = spoilt[d] ? 1 : needs.single[chain(d)];
+            }
         }
         // Each face: along its rims and its middle lines.
         for (std::size_t w = 0; w < 3; ++w) {
@@ -76,9 +90,11 @@ Needs needs_of(const BlockModel &model, const Chains &chains, const DefaultDivis
                 }
                 const bool both = std::min(turns[0], turns[1]) > options.angle;
                 for (std::size_t a = 0; a < 2; ++a) {
-                    double &angles = needs.angles[chain(axes[a])];
-                    angles =
-                        std::max(angles, turns[a] / (both ? options.both_angle : options.angle));
+                    const double angles = turns[a] / (both ? options.both_angle : options.angle);
+                    double &most = needs.angles[chain(axes[a])];
+                    most = std::max(most, angles);
+                    double &few = needs.few[chain(axes[a])];
+                    few = std::max(few, angles / (spoilt[axes[a]] ? bent_at_cusp : bent));
                 }
                 if (n == 2) {
                     break;
@@ -144,9 +160,7 @@ Divisions divide(const BlockModel &model, const Chains &chains, const Needs &nee
         if (needs.single[chain] != 0) {
             // As few as will do for what else is on the chain.
             constexpr double longer = 6;
-            constexpr double bent = 2.35;
-            wanted = std::max(needs.length[chain] / (longer * size),
-                              needs.angles[chain] / (bent * coarser));
+            wanted = std::max(needs.length[chain] / (longer * size), needs.few[chain] / coarser);
         }
         constexpr double most = 1e6;
         result[at / n][at % n] =
@@ -183,7 +197,7 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
                             " parts, got " + std::to_string(options.structured.size()));
     }
     const Chains chains = find_chains(model, topology);
-    Needs needs = needs_of(model, chains, options);
+    Needs needs = needs_of(model, chains, part, options);
     const auto n = static_cast<std::size_t>(model.dimension);
     const auto most = static_cast<double>(
         std::max<std::int64_t>(options.most_cells, static_cast<std::int64_t>(model.size())));
@@ -225,6 +239,7 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     };
     Divisions result = within();
     constexpr int rounds = 4;
+    constexpr double at_cusps = 1.4; // times the error: there are no more elements than must be
     for (int round = 0; round < rounds && model.dimension == 3; ++round) {
         std::vector<Volumes> all(parts);
         std::vector<double> off(model.size(), 0);
@@ -242,18 +257,19 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
             const auto p = at(part[i / n]);
             const double error = std::abs(all[p].linear - all[p].exact) / std::abs(all[p].exact);
             const auto chain = at(chains.chain[i]);
-            if (error > options.volume_error && off[i / n] > 0.1 * worst[p] &&
-                needs.angles[chain] > 0.05) {
-                finer[chain] = std::max(
-                    finer[chain], std::clamp(std::sqrt(error / options.volume_error), 1.1, 3.0));
+            const double accepted =
+                (needs.single[chain] != 0 ? at_cusps : 1) * options.volume_error;
+            if (error > accepted && off[i / n] > 0.1 * worst[p] && needs.angles[chain] > 0.05) {
+                finer[chain] =
+                    std::max(finer[chain], std::clamp(std::sqrt(error / accepted), 1.1, 3.0));
             }
         }
         for (std::size_t i = 0; i < chains.chain.size(); ++i) {
             const auto chain = at(chains.chain[i]);
             if (finer[chain] > 1) {
-                needs.angles[chain] =
-                    finer[chain] *
-                    std::max(needs.angles[chain], static_cast<double>(result[i / n][i % n]));
+                const auto now = static_cast<double>(result[i / n][i % n]);
+                needs.angles[chain] = finer[chain] * std::max(needs.angles[chain], now);
+                needs.few[chain] = finer[chain] * std::max(needs.few[chain], now);
                 finer[chain] = 1;
             }
         }

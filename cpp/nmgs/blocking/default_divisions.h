@@ -31,8 +31,8 @@ struct DefaultDivisions {
 // Divisions of all blocks that agree along chains (see divisions.h): no element longer than size,
 // nor turning by more than the angle, nor the volume of a part's linear cells off by more than is
 // asked for. Where that takes more than most_cells, size and angle grow until it does not, or every
-// block has one division. Patches that end in a cusp (see cusp.h) keep one unless others of their
-// chains turn too much. Raises ArgumentError for a size that is not positive, and for parts that
+// block has one division. Patches that end in a cusp and blocks of structured parts whose corners
+// divisions would spoil (see cusp.h) keep one unless others of their chains turn too much. Raises ArgumentError for a size that is not positive, and for parts that
 // are not one a block or have no entry in `structured`.
 std::vector<std::array<std::int32_t, 3>> default_divisions(const BlockModel &model,
                                                            const Topology &topology, double size,

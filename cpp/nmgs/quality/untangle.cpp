@@ -412,6 +412,57 @@ bool Untangler::raise(std::int32_t node) {
     return least > start;
 }
 
+// See UntangleOptions::each. Those with the worst corners first.
+void raise_each(Untangler &u, const UntangleOptions &options, const Progress &progress) {
+    int visits = 0;
+    std::vector<char> again(u.points.size(), 1); // something round the node has moved since
+    for (int sweep = 0; sweep < options.sweeps && visits < options.raises; ++sweep) {
+        if (sweep % 4 == 0) {
+            u.set_targets();
+        }
+        u.delta = 0;
+        u.power = 4;
+        std::vector<std::pair<double, std::int32_t>> bad;
+        for (const std::int32_t n : u.movable) {
+            const double least = again[static_cast<std::size_t>(n)] != 0 ? u.least_round(n) : 1;
+            if (least < options.good) {
+                bad.emplace_back(least, n);
+            }
+        }
+        if (bad.empty()) {
+            break;
+        }
+        std::sort(bad.begin(), bad.end());
+        for (const auto &[least, n] : bad) {
+            poll(progress, static_cast<double>(sweep) / options.sweeps);
+            const double was = u.least_round(n);
+            again[static_cast<std::size_t>(n)] = 0;
+            if (was >= options.good) {
+                continue;
+            }
+            if (++visits > options.raises) {
+                break;
+            }
+            const Vec3 before = u.at(n);
+            u.relax(n);
+            if (u.least_round(n) <= was) {
+                u.points[static_cast<std::size_t>(n)] = before;
+            }
+            if (u.least_round(n) < options.good) {
+                u.raise(n);
+            }
+            const bool moved = u.least_round(n) > was + options.gain;
+            for (const std::int32_t c : u.corners_of(n)) {
+                for (const std::int32_t m : u.corners[static_cast<std::size_t>(c)].node) {
+                    if (moved && m >= 0) {
+                        again[static_cast<std::size_t>(m)] = 1;
+                    }
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 
 UntangleResult untangle(std::span<Vec3> points,
@@ -424,6 +475,11 @@ UntangleResult untangle(std::span<Vec3> points,
     UntangleResult result;
     result.before = result.after = u.worst();
     if (u.movable.empty() || result.before >= options.good) {
+        return result;
+    }
+    if (options.each) {
+        raise_each(u, options, progress);
+        result.after = u.worst();
         return result;
     }
     std::vector<Vec3> best(points.begin(), points.end());

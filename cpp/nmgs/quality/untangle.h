@@ -39,6 +39,9 @@ struct UntangleOptions {
     int sweeps = 60;     // over the nodes, at most, of each of the two parts
     int raises = 30'000; // nodes that the second part may visit in all
     double gain = 1e-3;  // the least rise of the worst in a few sweeps that calls for more
+    // Not the worst only: each node round which there is less than `good` moves, and only to where
+    // its own worst is better. For meshes where some corner cannot be raised.
+    bool each = false;
 };
 struct UntangleResult {
     double before = 1, after = 1; // worst scaled Jacobian, over the corners

@@ -3,16 +3,15 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Tuple
+from typing import Any, List
 
-import FreeCADGui
-
-from ..taskpanels import messages
+from ..taskpanels.cutting_picks import cutting_picks, faces_of
 from . import selection
 from .base import Command
+from .panel import PanelCommand
 
 
-class CutSolids(Command):
+class CutSolids(PanelCommand):
     accel = "N, C"
     icon_name = "nmgs_cut_solids"
     menu_text = "Cut solids"
@@ -20,70 +19,39 @@ class CutSolids(Command):
         "Cut picked solids into pieces that blocks fill: by the faces and planes picked with them, "
         "or where it is proposed"
     )
+    panel_name = ("cuts", "panel_for")
 
     def ready(self) -> bool:
         return selection.can_pick("Solid") or bool(_fitted_blocks())
 
     def Activated(self, index: int = 0) -> None:
-        if self._tools() and not _fitted_blocks():
-            super().Activated(index)
-            return
-        from ..taskpanels import cuts  # only here: it imports NumPy and Part
-
-        try:
-            blocks = _fitted_blocks()
-            if blocks:
-                panel = cuts.open_for(blocks[0])
-            else:
-                panel = cuts.CutsPanel(source=self._source())
-        except Exception as error:
-            messages.show_error(self.menu_text, error)
+        if cutting_picks() and not _fitted_blocks():
+            Command.Activated(self, index)
         else:
-            FreeCADGui.Control.showDialog(panel)
+            super().Activated(index)
+
+    def argument(self) -> Any:
+        blocks = _fitted_blocks()
+        return blocks[0] if blocks else _source()
 
     def act(self, document: Any) -> Any:
         from ..objects import cut_solids  # only here: it imports NumPy and Part
 
         obj = cut_solids.make(document)
-        obj.Source = self._source()
-        obj.Tools = self._tools()
+        obj.Source = _source()
+        obj.Tools = cutting_picks()
         self.computed(obj)
         for part, _ in obj.Source:
             part.Visibility = False
         return obj
 
-    def _source(self) -> selection.Source:
-        """Solids picked as such or as whole objects; else those that own the picked faces."""
-        whole = [entry for entry in selection.picked_solids() if not _faces_of(entry[0])]
-        source = whole or selection.picked_solids()
-        if not source:
-            raise ValueError("Pick one or more solids, and faces or planes that cut them.")
-        return source
 
-    def _tools(self) -> List[Tuple[Any, str]]:
-        """Picked faces, and picked objects without solids that have faces or are planes."""
-        tools: List[Tuple[Any, str]] = []
-        for pick in FreeCADGui.Selection.getSelectionEx():
-            tools += [(pick.Object, name) for name in _faces_of(pick.Object)]
-            if pick.SubElementNames:
-                continue
-            shape = getattr(pick.Object, "Shape", None)
-            if pick.Object.isDerivedFrom("App::Plane") or (
-                shape is not None and shape.Faces and not shape.Solids
-            ):
-                tools.append((pick.Object, ""))
-        return tools
-
-
-def _faces_of(obj: Any) -> List[str]:
-    """The names of obj's picked faces."""
-    return [
-        name
-        for pick in FreeCADGui.Selection.getSelectionEx()
-        if pick.Object == obj
-        for name in pick.SubElementNames
-        if name.startswith("Face")
-    ]
+def _source() -> selection.Source:
+    """Solids picked as such or as whole objects; else those that own the picked faces."""
+    found = selection.picked_solids()
+    if not found:
+        raise ValueError("Pick one or more solids, and faces or planes that cut them.")
+    return [entry for entry in found if not faces_of(entry[0])] or found
 
 
 def _fitted_blocks() -> List[Any]:

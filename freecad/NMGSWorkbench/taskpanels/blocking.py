@@ -97,7 +97,7 @@ class BlockingPanel(Panel):
 
         # When this panel is gone.
         blocks = self.obj
-        QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.showDialog(cuts.open_for(blocks)))
+        QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.showDialog(cuts.panel_for(blocks)))
 
     def _divisions_enabled(self, automatic: bool) -> None:
         self.form.divisions.setEnabled(not automatic)

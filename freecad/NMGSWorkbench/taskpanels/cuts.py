@@ -17,6 +17,7 @@ from ..texts import tr
 from ..viewproviders.preview import Preview
 from . import culprits, messages, tables
 from .base import ok_cancel, tell
+from .cutting_picks import cutting_picks
 from .model_panel import close
 
 _DELAY_MS = 60
@@ -121,12 +122,7 @@ class CutsPanel:
 
     def add_picked(self) -> None:
         """Picked faces and planes become cuts."""
-        found = []
-        for pick in FreeCADGui.Selection.getSelectionEx():
-            names = [name for name in pick.SubElementNames if name.startswith("Face")]
-            if names or pick.Object.isDerivedFrom("App::Plane") or not pick.SubElementNames:
-                found += [(pick.Object, name) for name in names or ("",)]
-        rows = [_tool_row(entity) for entity in found]
+        rows = [_tool_row(entity) for entity in cutting_picks()]
         if not rows:
             tell(self.form, tr("Pick faces or planes in the view first."))
             return
@@ -243,11 +239,14 @@ def _tool_row(entity: sources.Entity) -> Row:
     return Row(f"{obj.Label}.{name}" if name else obj.Label, "", tool=entity)
 
 
-def open_for(blocks: Any) -> CutsPanel:
-    """The panel for the solids that Blocks fill, or for what cuts them already."""
-    owners = {obj.Name: obj for obj, _ in blocks.Source}
+def panel_for(picked: Any) -> CutsPanel:
+    """The panel for picked: solids (a LinkSubList's value), or Blocks, whose solids are cut, or
+    what cuts them already is changed."""
+    if isinstance(picked, list):
+        return CutsPanel(source=picked)
+    owners = {obj.Name: obj for obj, _ in picked.Source}
     if len(owners) == 1:
         (owner,) = owners.values()
         if isinstance(getattr(owner, "Proxy", None), cut_solids.CutSolids):
-            return CutsPanel(owner, blocks=blocks)
-    return CutsPanel(source=blocks.Source, blocks=blocks)
+            return CutsPanel(owner, blocks=picked)
+    return CutsPanel(source=picked.Source, blocks=picked)

@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 from ..resources import icon, ui
 from ..texts import tr
 from . import messages
-from .base import flags_value, ok_cancel
+from .base import flags_value, ok_cancel, tell
 
 KINDS = {"png": "PNG picture", "pdf": "PDF file", "svg": "SVG drawing"}
 _BACKGROUNDS = ("White", "Current", "Transparent")
@@ -41,8 +41,7 @@ class PicturePanel:
         ending = os.path.splitext(self.form.path.text())[1].lower()[1:]
         known = ending in KINDS
         text = tr("The file's ending is to be one of {known}").format(known=", ".join(KINDS))
-        self.form.problem.setText("" if known else text)
-        self.form.problem.setVisible(not known)
+        tell(self.form, "" if known else text)
 
     def _browse(self) -> None:
         dialog = QtGui.QFileDialog(FreeCADGui.getMainWindow(), self.form.windowTitle())

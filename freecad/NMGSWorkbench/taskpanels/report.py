@@ -168,7 +168,7 @@ def _colours(summary: MetricSummary) -> np.ndarray:
 
 def summary_text(report: Report) -> str:
     """Counts, bounds and size as lines to read."""
-    lines = [", ".join(f"{count} {name}" for name, count in report.counts.items())]
+    lines = [", ".join(f"{name}: {count}" for name, count in report.counts.items())]
     low, high = report.bounds
     for axis, a, b in zip("xyz", low, high):
         lines.append(

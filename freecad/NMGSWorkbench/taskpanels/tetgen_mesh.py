@@ -9,7 +9,7 @@ from typing import Any, Iterator, Tuple
 from ..nmgs import TetOptions
 from ..texts import tr
 from . import figures
-from .base import Panel
+from .base import Panel, tell
 from .option_table import OptionTable
 
 
@@ -99,8 +99,7 @@ class TetGenMeshPanel(Panel):
             self.form.preset.setCurrentIndex(0)
 
     def _tell(self, problem: str) -> None:
-        self.form.problem.setText(problem)
-        self.form.problem.setVisible(bool(problem))
+        tell(self.form, problem)
 
 
 def _log(obj: Any) -> str:

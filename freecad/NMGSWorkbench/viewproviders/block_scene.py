@@ -16,7 +16,7 @@ CHAIN: nodes.Colour = (0.85, 0.10, 0.45)
 EDGE: nodes.Colour = (0.90, 0.45, 0.10)
 COUNT: nodes.Colour = (0.05, 0.20, 0.45)
 #: Texts on more edges than this hide the blocks.
-MOST_COUNTS = 400
+MOST_COUNTS = 150
 _SAMPLES = np.linspace(0.0, 1.0, 13)
 
 
@@ -25,11 +25,25 @@ def directions(model: BlockModel) -> np.ndarray:
     return PATCH_DIRECTIONS if model.dimension == 2 else BLOCK_DIRECTIONS
 
 
+def counted_edges(model: BlockModel) -> np.ndarray:
+    """The rows of unique_edges that carry a count: all of them, or, where they are too many to be
+    read, the longest edge of each chain, those of the longest chains' edges first."""
+    rows = unique_edges(model.nodes)
+    if len(rows) <= MOST_COUNTS:
+        return rows
+    ends = np.array([curve(model.nodes, *row, np.array([0.0, 0.5, 1.0])) for row in rows])
+    lengths = np.linalg.norm(np.diff(ends, axis=1), axis=2).sum(axis=1)
+    chain_of = model.chain_senses()["chain"][rows[:, 0], directions(model)[rows[:, 1], 0]]
+    longest_first = np.argsort(-lengths, kind="stable")
+    _, first = np.unique(chain_of[longest_first], return_index=True)
+    return rows[longest_first[np.sort(first)[:MOST_COUNTS]]]
+
+
 def counts(model: BlockModel) -> Any:
-    """The number of elements along each edge, as texts in the middle of the edges."""
+    """The number of elements along edges, as texts in their middles."""
     group = nodes.on_top()
     table = directions(model)
-    for element, edge in unique_edges(model.nodes)[:MOST_COUNTS]:
+    for element, edge in counted_edges(model):
         place = curve(model.nodes, element, edge, np.array([0.5]))[0]
         words = str(model.divisions[element, table[edge, 0]])
         group.addChild(nodes.label(place, words, COUNT))

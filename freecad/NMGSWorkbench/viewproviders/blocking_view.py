@@ -23,6 +23,11 @@ PROPERTIES = (
 )
 
 
+#: Width of lines and size of points, of a few elements and of so many that they would cover all.
+WIDE, FINE = (4.0, 8.0), (2.0, 3.0)
+MANY = 100
+
+
 class BlockingView(ViewProvider):
     """Base; a subclass sets icon_name."""
 
@@ -40,8 +45,7 @@ class BlockingView(ViewProvider):
     def dress(self, vobj: Any) -> None:
         vobj.LineColor = (0.90, 0.45, 0.10)
         vobj.PointColor = (0.60, 0.10, 0.05)
-        vobj.LineWidth = 4.0
-        vobj.PointSize = 8.0
+        vobj.LineWidth, vobj.PointSize = WIDE
         vobj.ShowCounts = preferences.show_counts()
 
     def attach(self, vobj: Any) -> None:
@@ -55,6 +59,14 @@ class BlockingView(ViewProvider):
     def updateData(self, obj: Any, prop: str) -> None:
         if prop in ("ElementCount", "Divisions", "Shape"):
             later(lambda: self.write_counts(obj.ViewObject))
+        if prop == "ElementCount":
+            later(lambda: self.fit_widths(obj.ViewObject))
+
+    def fit_widths(self, vobj: Any) -> None:
+        """Lines and points for as many elements as there are, unless the user has chosen others."""
+        wanted = FINE if vobj.Object.ElementCount > MANY else WIDE
+        if (vobj.LineWidth, vobj.PointSize) in (WIDE, FINE):
+            vobj.LineWidth, vobj.PointSize = wanted
 
     def onChanged(self, vobj: Any, prop: str) -> None:
         super().onChanged(vobj, prop)

@@ -39,6 +39,8 @@ CULPRITS = (
 
 #: A facet in TetGen's words: "#12" behind the nodes of a triangle, or "facet 12".
 FACET = re.compile(r"\][ ]*#(\d+)|[Ff]acet #?(\d+)")
+#: Segments and triangles that TetGen 1.6 names by their nodes alone.
+NODES = re.compile(r"(?:1st|2nd|left out):? \[(\d+), ?(\d+)(?:, ?(\d+))?\](?! *#)")
 #: Facets whose polygons go with an error, for whoever draws them.
 OUTLINED = 1000
 #: Problems that a message spells out.
@@ -76,13 +78,20 @@ def _words(outcome: Outcome) -> "tuple[str, int]":
         name = signal.Signals(-outcome.status).name
     except ValueError:
         name = f"signal {-outcome.status}"
-    return f"it crashed ({name})", outcome.status
+    text = f"it crashed ({name})"
+    if "Background mesh" in outcome.log:
+        text += " over the background mesh, as TetGen 1.6 does; give sizes at points instead"
+    return text, outcome.status
 
 
-def _facets_said(log: str, count: int) -> List[int]:
-    """0-based facets that TetGen names; it counts from 1."""
+def _facets_said(log: str, plc: PLC) -> List[int]:
+    """0-based facets that TetGen names by their numbers, from 1, or by nodes, from 0."""
     numbers = (int(a or b) - 1 for a, b in FACET.findall(log))
-    return sorted({n for n in numbers if 0 <= n < count})
+    found = {n for n in numbers if 0 <= n < len(plc)}
+    for nodes in NODES.findall(log):
+        owners = [set(plc.facets_of_nodes([int(n)]).tolist()) for n in nodes if n]
+        found |= set.intersection(*owners)
+    return sorted(found)
 
 
 def _with_facets(text: str, code: int, source: Any, log: str, progress: Progress) -> TetGenError:
@@ -90,7 +99,7 @@ def _with_facets(text: str, code: int, source: Any, log: str, progress: Progress
     if not isinstance(source, PLC):
         return TetGenError(text, code=code, log=log)
     problems = _culprits(source, progress)
-    said = _facets_said(log, len(source))
+    said = _facets_said(log, source)
     facets = sorted({f for problem in problems for f in problem.facets} | set(said))
     if problems:
         text += ": " + "; ".join(_named(problem, source) for problem in problems[:SHOWN])
