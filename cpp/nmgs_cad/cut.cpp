@@ -1,76 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cut.h"
 
+#include "nmgs_cad/cut_state.h"
 #include "nmgs_cad/cut_to_sweep.h"
-#include "nmgs_cad/edge_curve.h"
+#include "nmgs_cad/fill_pieces.h"
 #include "nmgs_cad/layout_quality.h"
 #include "nmgs_cad/midpoint.h"
-#include "nmgs_cad/solid_layout.h"
-#include "nmgs_cad/split.h"
 
-#include <BRepAdaptor_Surface.hxx>
-#include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 namespace nmgs::cad {
 namespace {
 
-// The solids as the cuts leave them.
-struct State {
-    std::vector<Cut> cuts;
-    Pieces pieces;
-    std::vector<int> bad; // pieces with obstacles
-    std::vector<Obstacles> obstacles;
-    Proposals proposals;
-    double weight = 0;
-};
-
-// The pieces of a state cut by one more, or by several.
-std::optional<State> make_state(const CadShape &shape, std::span<const int> solids,
-                                const State *before, std::span<const Cut> more, Refusal &refusal) {
-    TopTools_ListOfShape tools;
-    for (const Cut &cut : more) {
-        tools.Append(cut_face(shape, cut));
-    }
-    auto pieces = before != nullptr ? split(shape, before->pieces, tools, refusal)
-                                    : split(shape, solids, tools, refusal);
-    if (!pieces) {
-        return std::nullopt;
-    }
-    std::vector<Cut> cuts = before != nullptr ? before->cuts : std::vector<Cut>{};
-    cuts.insert(cuts.end(), more.begin(), more.end());
-    State state{std::move(cuts), std::move(*pieces), {}, {}, {}, 0};
-    const CadShape &cad = state.pieces.cad;
-    for (int n = 1; n <= cad.solids.Extent(); ++n) {
-        Obstacles o = obstacles_of(cad, n);
-        state.weight += o.weight;
-        if (o.weight > 0) {
-            state.bad.push_back(n);
-            state.obstacles.push_back(std::move(o));
-        }
-    }
-    // Slivers cost as much as an obstacle.
-    const double diagonal = diagonal_of(shape.shape);
-    for (int e = 1; e <= cad.edges.Extent(); ++e) {
-        if (state.pieces.edge_on[static_cast<std::size_t>(e)].dimension > 1 &&
-            !BRep_Tool::Degenerated(cad.edge(e)) &&
-            EdgeCurve(cad.edge(e)).length() < 2e-3 * diagonal) {
-            state.weight += 0.5;
-        }
-    }
-    state.weight += 0.02 * cad.solids.Extent();
-    state.proposals = candidates(cad, state.bad, state.obstacles);
-    state.weight = state.proposals.needed + 0.02 * state.weight;
-    return state;
-}
-
-bool fill_pieces(const Pieces &pieces, Layout &layout, const LayoutOptions &options,
-                 Refusal &refusal, const Progress &progress) {
+bool fill_by_midpoints(const Pieces &pieces, Layout &layout, const LayoutOptions &options,
+                       Refusal &refusal, const Progress &progress) {
     for (int n = 1; n <= pieces.cad.solids.Extent(); ++n) {
         poll(progress, 0.7);
         if (!fill_midpoint(pieces.cad, n, layout, options, refusal, progress)) {
@@ -89,53 +36,28 @@ std::vector<int> obstacles(const CadShape &shape, int solid) {
 
 namespace {
 
-// What it takes to look at pieces, in plain faces; others take longer to intersect.
-int work_of(const Pieces &pieces) {
-    int work = 0;
-    for (int f = 1; f <= pieces.cad.faces.Extent(); ++f) {
-        switch (BRepAdaptor_Surface(pieces.cad.face(f), Standard_False).GetType()) {
-        case GeomAbs_Plane:
-        case GeomAbs_Cylinder:
-        case GeomAbs_Cone:
-        case GeomAbs_Sphere:
-            work += 1;
-            break;
-        default:
-            work += 8;
-        }
-    }
-    return work;
-}
-
 // Fills the pieces by whatever strategy does each, if all can be filled and well. Those that have
 // obstacles first, and alone: most often one of these cannot be filled.
-bool fill_by_strategies(const State &state, Layout &of_pieces, const LayoutOptions &options,
-                        const Progress &progress) {
-    const Pieces &pieces = state.pieces;
-    std::vector<int> all(static_cast<std::size_t>(pieces.cad.solids.Extent()));
-    std::iota(all.begin(), all.end(), 1);
-    SolidLayoutOptions without_cuts;
-    without_cuts.layout = options;
-    without_cuts.cuts = false;
-    without_cuts.layout.attempts = 2;
-    constexpr double enough = 0.2;
+std::optional<Layout> fill_by_strategies(const CutState &state, const LayoutOptions &options,
+                                         const Progress &progress) {
     std::vector<std::pair<double, int>> hardest;
     for (std::size_t i = 0; i < state.bad.size(); ++i) {
         hardest.emplace_back(-state.obstacles[i].weight, state.bad[i]);
     }
     std::sort(hardest.begin(), hardest.end());
+    std::vector<int> doubtful;
     for (const auto &[weight, solid] : hardest) {
-        Layout alone(pieces.cad);
-        const auto entry =
-            layout_solids(pieces.cad, {&solid, 1}, alone, without_cuts, progress).front();
-        if (entry.method.empty() || entry.quality < enough) {
-            return false;
-        }
+        doubtful.push_back(solid);
     }
-    const auto report = layout_solids(pieces.cad, all, of_pieces, without_cuts, progress);
-    return std::none_of(report.begin(), report.end(),
-                        [](const FitEntry &entry) { return entry.method.empty(); }) &&
-           layout_quality(pieces.cad, of_pieces).worst > enough;
+    FillPiecesOptions how;
+    how.layout = options;
+    how.attempts = 2;
+    how.doubtful = doubtful;
+    constexpr double as_they_come[] = {0.0};
+    how.segments = as_they_come;
+    int culprit = 0;
+    Refusal ignored;
+    return fill_pieces(state.pieces, how, culprit, ignored, progress);
 }
 
 constexpr std::size_t most_cuts = 24;
@@ -144,11 +66,11 @@ constexpr double good = 0.3; // a worst scaled Jacobian that calls for no furthe
 
 // Cuts by all the proposals at once that together resolve what is in the way, again and again: a
 // few steps instead of a long search, where it leads to blocks. Their quality, or -1.
-double cut_by_covers(const CadShape &shape, std::span<const int> solids, const State &start,
+double cut_by_covers(const CadShape &shape, std::span<const int> solids, const CutState &start,
                      Layout &layout, const LayoutOptions &options, int &work,
                      const Progress &progress) {
-    const State *state = &start;
-    std::optional<State> next;
+    const CutState *state = &start;
+    std::optional<CutState> next;
     int lowest = start.proposals.needed;
     int idle = 0;
     const int least = work - work / 3; // the rest is for a search where this fails
@@ -169,7 +91,7 @@ double cut_by_covers(const CadShape &shape, std::span<const int> solids, const S
             return -1;
         }
         Refusal ignored;
-        auto found = make_state(shape, solids, state, cuts, ignored);
+        auto found = cut_further(shape, solids, state, cuts, ignored);
         work -= work_of(found ? found->pieces : state->pieces);
         if (!found || found->pieces.cad.solids.Extent() <= state->pieces.cad.solids.Extent() ||
             found->pieces.cad.solids.Extent() > most_pieces) {
@@ -187,7 +109,7 @@ double cut_by_covers(const CadShape &shape, std::span<const int> solids, const S
     Layout of_pieces(state->pieces.cad);
     Layout result = layout;
     Refusal ignored;
-    if (!fill_pieces(state->pieces, of_pieces, options, ignored, progress) ||
+    if (!fill_by_midpoints(state->pieces, of_pieces, options, ignored, progress) ||
         !join(shape, state->pieces, of_pieces, result, ignored)) {
         return -1;
     }
@@ -228,7 +150,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
             return false;
         }
     }
-    auto state = make_state(shape, solids, nullptr, {}, refusal);
+    auto state = cut_further(shape, solids, nullptr, {}, refusal);
     if (!state) {
         return false;
     }
@@ -239,15 +161,28 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
         return true;
     }
     constexpr double enough = 0.2;
-    Refusal no_sweeps;
-    if (quality < enough && solids.size() == 1 &&
-        fill_cut_to_sweep(shape, solids.front(), layout, options, no_sweeps, progress)) {
-        return true;
+    if (quality < enough && solids.size() == 1) {
+        // A part of the work and of the time is left for the search below.
+        Refusal no_sweeps;
+        int share = 2 * work / 3;
+        LayoutOptions sweeps = options;
+        sweeps.cut_work = &share;
+        if (options.until != std::chrono::steady_clock::time_point::max()) {
+            const auto now = std::chrono::steady_clock::now();
+            sweeps.until = now + (options.until - now) * 2 / 3;
+        }
+        work -= share;
+        const bool filled =
+            fill_cut_to_sweep(shape, solids.front(), layout, sweeps, no_sweeps, progress);
+        work += share;
+        if (filled) {
+            return true;
+        }
     }
     double lowest = state->weight;
     int idle = 0; // cuts since the last that left less than any before
     while (!state->bad.empty() && state->cuts.size() < most_cuts) {
-        std::vector<State> found;
+        std::vector<CutState> found;
         const auto used = [&](const Cut &cut) {
             return std::any_of(state->cuts.begin(), state->cuts.end(), [&](const Cut &c) {
                 return same(c, cut, 1e-4 * diagonal_of(shape.shape));
@@ -264,7 +199,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
             poll(progress,
                  static_cast<double>(state->cuts.size()) / static_cast<double>(most_cuts));
             Refusal ignored;
-            auto next = make_state(shape, solids, &*state, {&cut, 1}, ignored);
+            auto next = cut_further(shape, solids, &*state, {&cut, 1}, ignored);
             work -= work_of(next ? next->pieces : state->pieces);
             if (next && next->pieces.cad.solids.Extent() > state->pieces.cad.solids.Extent() &&
                 next->pieces.cad.solids.Extent() <= most_pieces) {
@@ -272,22 +207,21 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
             }
         }
         std::stable_sort(found.begin(), found.end(),
-                         [](const State &a, const State &b) { return a.weight < b.weight; });
+                         [](const CutState &a, const CutState &b) { return a.weight < b.weight; });
         for (std::size_t n = 0; n < std::min(found.size(), most_promising); ++n) {
             if (state->cuts.size() >= first_cuts || work <= 0 || late(options) ||
                 found[n].pieces.cad.solids.Extent() > few_pieces) {
                 continue;
             }
             work -= work_of(found[n].pieces); // strategies take as long again
-            Layout of_pieces(found[n].pieces.cad);
+            const auto of_pieces = fill_by_strategies(found[n], options, progress);
             Layout result = layout;
-            if (fill_by_strategies(found[n], of_pieces, options, progress) &&
-                join(shape, found[n].pieces, of_pieces, result, refusal)) {
+            if (of_pieces && join(shape, found[n].pieces, *of_pieces, result, refusal)) {
                 layout = std::move(result);
                 return true;
             }
         }
-        std::optional<State> best;
+        std::optional<CutState> best;
         if (!found.empty()) {
             best = std::move(found.front());
         }
@@ -316,7 +250,7 @@ bool cut_solids(const CadShape &shape, std::span<const int> solids, Layout &layo
         return false;
     }
     Layout of_pieces(state->pieces.cad);
-    if (!fill_pieces(state->pieces, of_pieces, options, refusal, progress)) {
+    if (!fill_by_midpoints(state->pieces, of_pieces, options, refusal, progress)) {
         return false;
     }
     Layout result = layout;

@@ -1,42 +1,55 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/cut_to_sweep.h"
 
+#include "nmgs/support/at.h"
 #include "nmgs_cad/cut_proposals.h"
-#include "nmgs_cad/edge_curve.h"
-#include "nmgs_cad/face_layout.h"
-#include "nmgs_cad/feature_boxes.h"
-#include "nmgs_cad/layout_quality.h"
-#include "nmgs_cad/solid_boundary.h"
-#include "nmgs_cad/solid_layout.h"
+#include "nmgs_cad/fill_pieces.h"
+#include "nmgs_cad/imprint_sweeps.h"
 #include "nmgs_cad/split.h"
+#include "nmgs_cad/sweep_cuts.h"
 #include "nmgs_cad/sweepability.h"
 
 #include <BRepAlgoAPI_Common.hxx>
-#include <BRepGProp.hxx>
-#include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 
 namespace nmgs::cad {
 namespace {
 
-constexpr int most_cuts = 16;
 constexpr int most_pieces = 80;
-constexpr int most_work = 3000; // faces of all the pieces that are looked at
-constexpr int most_fillings = 4;
-constexpr std::size_t most_planes = 8;
+constexpr int most_fillings = 5;
+constexpr double resisting = 0.9; // the cost of a piece that should be swept and cannot be
+constexpr int most_states = 60;
+constexpr std::size_t most_choices = 6; // of the cuts of one piece
 
-struct Candidate {
-    TopTools_ListOfShape faces;
-    std::string name;
-    double cost = 0; // of what it leaves
+// What is known of a piece.
+struct Piece {
+    double cost = 0;                           // of sweeping it
+    std::optional<std::vector<SweepCut>> cuts; // once they were asked for
+};
+
+struct State {
+    Pieces pieces;
+    std::vector<int> known; // of each solid, from 1: its place in Search::known
+};
+
+// A state to come.
+struct Choice {
+    std::shared_ptr<const State> from;
+    int piece = 0;
+    const SweepCut *cut = nullptr;
+    double cost = 0;
+    int order = 0;
 };
 
 // The part of the faces that lies in the solid.
@@ -62,231 +75,174 @@ TopTools_ListOfShape within(const TopTools_ListOfShape &faces, const TopoDS_Shap
     return result;
 }
 
-std::vector<Candidate> candidates_of(const CadShape &cad, const Sweepability &sweep,
-                                     double margin) {
-    std::vector<Candidate> result;
-    constexpr std::size_t most_directions = 3;
-    for (std::size_t d = 0; d < std::min(most_directions, sweep.directions.size()); ++d) {
-        for (FeatureBox &box : feature_boxes(cad, 1, sweep.directions[d], margin)) {
-            result.push_back({box.faces, std::move(box.name), 0});
-        }
-    }
+// Best-first search: the cut that promises to leave the least in the way next, wherever it is.
+struct Search {
+    const CadShape &shape;
+    std::vector<int> solids;
+    const LayoutOptions &options;
+    const Progress &progress;
+    double length;
+    int &work;
+    std::vector<std::unique_ptr<Piece>> known;
+    TopTools_DataMapOfShapeInteger places; // of pieces in known
+    std::vector<Choice> choices;
+    std::set<std::vector<long>> seen; // volumes of the pieces of states
+    int fillings = 0;
+    int states = 0;
     Refusal refusal;
-    const auto boundary = boundary_of(cad, 1, refusal);
-    if (!boundary) {
-        return result;
-    }
-    Obstacles concave;
-    for (const Coedge &c : boundary->coedges) {
-        if (!c.degenerated && c.dihedral > std::numbers::pi + least_angle &&
-            c.dihedral < 2 * std::numbers::pi - least_angle) {
-            concave.edges.insert(c.edge);
-        }
-    }
-    std::size_t planes = 0;
-    for (const Cut &cut : candidates(cad, {1}, {concave}).cuts) {
-        if (planes++ == most_planes) {
-            break;
-        }
-        TopTools_ListOfShape faces;
-        faces.Append(cut_face(cad, cut));
-        result.push_back({faces, cut.name, 0});
-    }
-    return result;
-}
 
-// What is in the way of sweeping the pieces, and slivers.
-double cost_of(const CadShape &cad, double diagonal) {
-    double cost = 0.02 * cad.solids.Extent();
-    for (int n = 1; n <= cad.solids.Extent(); ++n) {
-        const int own = sweepability(cad, n).cost;
-        TopTools_IndexedMapOfShape faces;
-        TopExp::MapShapes(cad.solid(n), TopAbs_FACE, faces);
-        cost += own > 0 ? own + 0.03 * faces.Extent() : 0; // what is apart is easier to see
-    }
-    for (int e = 1; e <= cad.edges.Extent(); ++e) {
-        if (!BRep_Tool::Degenerated(cad.edge(e)) &&
-            EdgeCurve(cad.edge(e)).length() < 2e-3 * diagonal) {
-            cost += 0.5;
-        }
-    }
-    return cost;
-}
-
-double area_between(const Pieces &pieces) {
-    double area = 0;
-    for (int f = 1; f <= pieces.cad.faces.Extent(); ++f) {
-        if (pieces.face_on[static_cast<std::size_t>(f)].dimension == 3) {
-            GProp_GProps properties;
-            BRepGProp::SurfaceProperties(pieces.cad.face(f), properties);
-            area += properties.Mass();
-        }
-    }
-    return area;
-}
-
-// Cuts that make a solid that stands alone better, the best first.
-std::vector<Candidate> good_cuts(const CadShape &one, double diagonal, double margin, int &work,
-                                 const Progress &progress) {
-    const double least = cost_of(one, diagonal) - 0.01;
-    std::vector<Candidate> result;
-    for (Candidate &candidate : candidates_of(one, sweepability(one, 1), margin)) {
-        poll(progress, 0.3);
-        if (work <= 0) {
-            break;
-        }
-        Refusal ignored;
-        const std::vector<int> alone{1};
-        const auto pieces = split(one, alone, candidate.faces, ignored);
-        work -= pieces ? pieces->cad.faces.Extent() : one.faces.Extent();
-        if (!pieces || pieces->cad.solids.Extent() < 2) {
-            continue;
-        }
-        // Of equals that which cuts least.
-        candidate.cost =
-            cost_of(pieces->cad, diagonal) + 0.1 * area_between(*pieces) / (diagonal * diagonal);
-        if (candidate.cost < least) {
-            result.push_back(std::move(candidate));
-        }
-    }
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Candidate &a, const Candidate &b) { return a.cost < b.cost; });
-    return result;
-}
-
-// Lays out the faces between two pieces first, so that what the pieces make of them agrees.
-void layout_inner_faces(const Pieces &pieces, double segments, Layout &layout,
-                        const LayoutOptions &options, const Progress &progress) {
-    std::vector<int> faces;
-    std::set<int> edges;
-    for (int f = 1; f <= pieces.cad.faces.Extent(); ++f) {
-        if (pieces.face_on[static_cast<std::size_t>(f)].dimension == 3) {
-            faces.push_back(f);
-            for (TopExp_Explorer it(pieces.cad.faces(f), TopAbs_EDGE); it.More(); it.Next()) {
-                if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) {
-                    edges.insert(pieces.cad.edges.FindIndex(it.Current()));
-                }
-            }
-        }
-    }
-    double length = 0;
-    for (const int e : edges) {
-        length += EdgeCurve(pieces.cad.edge(e)).length() / static_cast<double>(edges.size());
-    }
-    LayoutOptions finer = options;
-    finer.size = length / segments;
-    std::vector<FitEntry> report;
-    layout_faces(pieces.cad, faces, layout, finer, report, progress);
-}
-
-// Fills the pieces one after the other: with what lies between them laid out first, else as they
-// come.
-std::optional<Layout> fill_pieces(const Pieces &pieces, const LayoutOptions &options,
-                                  Refusal &refusal, const Progress &progress) {
-    constexpr double good = 0.3;
-    constexpr double least = 0.2;
-    SolidLayoutOptions without_cuts;
-    without_cuts.layout = options;
-    without_cuts.cuts = false;
-    without_cuts.layout.attempts = 3;
-    std::optional<Layout> best;
-    double quality = least;
-    for (const double segments : {4.0, 0.0}) {
-        Layout layout(pieces.cad);
-        if (segments > 0) {
-            layout_inner_faces(pieces, segments, layout, options, progress);
-        }
-        bool filled = true;
-        for (int n = 1; filled && n <= pieces.cad.solids.Extent(); ++n) {
-            const auto report =
-                layout_solids(pieces.cad, {&n, 1}, layout, without_cuts, progress).front();
-            filled = !report.method.empty() && report.quality > least;
-            if (!filled) {
-                refusal = {report.method.empty() ? "a piece cannot be filled: " + report.reason
-                                                 : "a piece cannot be filled well",
-                           {}};
-            }
-        }
-        const double worst = filled ? layout_quality(pieces.cad, layout).worst : 0;
-        if (worst > quality) {
-            quality = worst;
-            best = std::move(layout);
-        }
-        if (quality > good) {
-            break;
-        }
-    }
-    return best;
-}
-
-struct Budget {
-    int work;
-    int fillings;
+    double cost_of(const CadShape &one);
+    std::shared_ptr<const State> look_at(Pieces &&pieces);
+    bool fill(const State &state, Layout &layout, int &culprit);
+    bool expand(const std::shared_ptr<const State> &state, Layout &layout);
+    std::shared_ptr<const State> follow(const Choice &choice);
+    bool run(Layout &layout);
 };
 
-// With boxes of one margin.
-bool fill_with(const CadShape &shape, int solid, double margin, Budget &budget, Layout &layout,
-               const LayoutOptions &options, Refusal &refusal, const Progress &progress) {
-    const std::vector<int> solids{solid};
-    const double diagonal = diagonal_of(shape.solid(solid));
-    TopTools_ListOfShape tools;
-    auto pieces = split(shape, solids, tools, refusal);
-    const auto bad_pieces = [](const CadShape &cad) {
-        std::vector<int> result;
-        for (int n = 1; n <= cad.solids.Extent(); ++n) {
-            if (sweepability(cad, n).cost > 0) {
-                result.push_back(n);
-            }
-        }
-        return result;
-    };
-    for (int round = 0; pieces && round < most_cuts && !late(options); ++round) {
-        poll(progress, static_cast<double>(round) / most_cuts);
-        const CadShape &cad = pieces->cad;
-        const auto bad = bad_pieces(cad);
-        if (bad.empty() || cad.solids.Extent() > most_pieces) {
-            refusal = {"no cut makes it better for sweeping", {}};
-            return false;
-        }
-        const CadShape one = make_shape(cad.solid(bad.front()));
-        const auto cuts = good_cuts(one, diagonal, margin, budget.work, progress);
-        std::optional<Pieces> best;
-        TopTools_ListOfShape best_tools;
-        for (const Candidate &cut : cuts) {
-            // Those that leave nothing in the way are tried one after the other.
-            const auto local = within(cut.faces, one.shape);
-            if (local.IsEmpty()) {
-                continue;
-            }
-            TopTools_ListOfShape all = tools;
-            for (const TopoDS_Shape &face : local) {
-                all.Append(face);
-            }
-            auto next = split(shape, solids, all, refusal);
-            if (!next) {
-                continue;
-            }
-            if (bad_pieces(next->cad).empty()) {
-                if (--budget.fillings < 0 || late(options)) {
-                    return false;
-                }
-                const auto of_pieces = fill_pieces(*next, options, refusal, progress);
-                if (of_pieces && join(shape, *next, *of_pieces, layout, refusal)) {
-                    return true;
-                }
-                continue;
-            }
-            best = std::move(next);
-            best_tools = all;
-            break;
-        }
-        if (!best) {
-            refusal = {"no cut makes a piece better for sweeping: " + refusal.reason, {}};
-            return false;
-        }
-        pieces = std::move(best);
-        tools = best_tools;
+// A piece that should be swept may turn out to fold, to meet itself, or to have knife edges.
+double Search::cost_of(const CadShape &one) {
+    if (sweepability(one, 1).cost > 0) {
+        return sweep_cost(one, length);
     }
+    work -= one.faces.Extent();
+    Refusal ignored;
+    constexpr int attempts = 2;
+    // With finer neighbours a piece may become better than alone.
+    constexpr double least = 0.1;
+    return fills_alone(one, 1, options, attempts, least, ignored, progress) ? 0 : resisting;
+}
+
+std::shared_ptr<const State> Search::look_at(Pieces &&pieces) {
+    auto state = std::make_shared<State>();
+    state->pieces = std::move(pieces);
+    const CadShape &cad = state->pieces.cad;
+    state->known.assign(at(cad.solids.Extent()) + 1, 0);
+    for (int n = 1; n <= cad.solids.Extent(); ++n) {
+        if (!places.IsBound(cad.solids(n))) {
+            places.Bind(cad.solids(n), static_cast<int>(known.size()));
+            known.push_back(std::make_unique<Piece>());
+            const CadShape one = make_shape(cad.solid(n));
+            known.back()->cost = cost_of(one);
+        }
+        state->known[at(n)] = places.Find(cad.solids(n));
+    }
+    return state;
+}
+
+bool Search::fill(const State &state, Layout &layout, int &culprit) {
+    ++fillings;
+    FillPiecesOptions how;
+    how.layout = options;
+    constexpr double coarse[] = {4.0};
+    constexpr double as_they_come[] = {0.0};
+    constexpr double both[] = {0.0, 4.0};
+    const auto fill_with = [&](const Pieces &pieces, std::span<const double> segments) {
+        how.segments = segments;
+        const auto of_pieces = fill_pieces(pieces, how, culprit, refusal, progress);
+        return of_pieces && join(shape, pieces, *of_pieces, layout, refusal);
+    };
+    if (fill_with(state.pieces, coarse)) {
+        return true;
+    }
+    const auto drawn = imprint_sweeps(shape, state.pieces);
+    return drawn ? fill_with(*drawn, both) : fill_with(state.pieces, as_they_come);
+}
+
+// Fills a state that has nothing in the way, or adds the cuts of the piece that has most.
+bool Search::expand(const std::shared_ptr<const State> &state, Layout &layout) {
+    const CadShape &cad = state->pieces.cad;
+    for (;;) {
+        double rest = 0;
+        int worst = 0;
+        for (int n = 1; n <= cad.solids.Extent(); ++n) {
+            const Piece &piece = *known[at(state->known[at(n)])];
+            rest += piece.cost;
+            if (piece.cost > 0 && piece.cuts && piece.cuts->empty()) {
+                return false; // a dead end
+            }
+            if (piece.cost > 0 &&
+                (worst == 0 || piece.cost > known[at(state->known[at(worst)])]->cost)) {
+                worst = n;
+            }
+        }
+        if (worst == 0) {
+            int culprit = 0;
+            return fill(*state, layout, culprit);
+        }
+        Piece &piece = *known[at(state->known[at(worst)])];
+        if (!piece.cuts) {
+            piece.cuts = sweep_cuts(make_shape(cad.solid(worst)), length, work, progress);
+            if (piece.cuts->size() > most_choices) {
+                piece.cuts->resize(most_choices);
+            }
+            Refusal ignored;
+            if (piece.cuts->empty() && piece.cost > resisting &&
+                fills_alone(cad, worst, options, 2, 0.2, ignored, progress)) {
+                piece.cost = 0; // no sweep, but another strategy does it
+                continue;
+            }
+        }
+        for (const SweepCut &cut : *piece.cuts) {
+            choices.push_back({state, worst, &cut, rest - piece.cost + cut.cost,
+                               static_cast<int>(choices.size())});
+        }
+        return false;
+    }
+}
+
+std::shared_ptr<const State> Search::follow(const Choice &choice) {
+    const CadShape &cad = choice.from->pieces.cad;
+    const auto local = within(choice.cut->faces, cad.solid(choice.piece));
+    if (local.IsEmpty()) {
+        return nullptr;
+    }
+    auto next = split(shape, choice.from->pieces, local, refusal);
+    work -= next ? next->cad.faces.Extent() : cad.faces.Extent();
+    if (!next || next->cad.solids.Extent() <= cad.solids.Extent() ||
+        next->cad.solids.Extent() > most_pieces) {
+        return nullptr;
+    }
+    // Other cuts may leave the same pieces.
+    std::vector<long> volumes;
+    const double whole = std::accumulate(next->volume.begin(), next->volume.end(), 0.0);
+    for (const double volume : next->volume) {
+        volumes.push_back(std::lround(1e6 * volume / whole));
+    }
+    std::sort(volumes.begin(), volumes.end());
+    if (!seen.insert(std::move(volumes)).second) {
+        return nullptr;
+    }
+    return look_at(std::move(*next));
+}
+
+bool Search::run(Layout &layout) {
+    auto whole = split(shape, solids, {}, refusal);
+    if (!whole) {
+        return false;
+    }
+    const auto start = look_at(std::move(*whole));
+    if (known.size() == 1 && known.front()->cost == 0) {
+        refusal = {"it needs no cut to be swept", {}};
+        return false;
+    }
+    if (expand(start, layout)) {
+        return true;
+    }
+    while (!choices.empty() && work > 0 && fillings < most_fillings && states < most_states &&
+           !late(options)) {
+        poll(progress, static_cast<double>(states) / most_states);
+        const auto best =
+            std::min_element(choices.begin(), choices.end(), [](const Choice &a, const Choice &b) {
+                return a.cost != b.cost ? a.cost < b.cost : a.order > b.order;
+            });
+        const Choice choice = *best;
+        choices.erase(best);
+        ++states;
+        if (const auto state = follow(choice); state && expand(state, layout)) {
+            return true;
+        }
+    }
+    refusal = {"no cuts make pieces that can be swept: " + refusal.reason, {}};
     return false;
 }
 
@@ -294,17 +250,14 @@ bool fill_with(const CadShape &shape, int solid, double margin, Budget &budget, 
 
 bool fill_cut_to_sweep(const CadShape &shape, int solid, Layout &layout,
                        const LayoutOptions &options, Refusal &refusal, const Progress &progress) {
-    const int work =
-        options.cut_work != nullptr ? std::min(*options.cut_work, most_work) : most_work;
-    Budget budget{work, most_fillings};
-    bool filled = false;
-    for (const double margin : {0.3, 0.15, 0.6}) {
-        filled =
-            filled || fill_with(shape, solid, margin, budget, layout, options, refusal, progress);
-    }
-    if (options.cut_work != nullptr) {
-        *options.cut_work -= work - budget.work;
-    }
+    constexpr int most_work = 3000; // where no one else counts
+    int own_work = most_work;
+    int &work = options.cut_work != nullptr ? *options.cut_work : own_work;
+    Search search{shape, {solid}, options, progress, diagonal_of(shape.solid(solid)),
+                  work,  {},      {},      {},       {},
+                  0,     0,       {}};
+    const bool filled = search.run(layout);
+    refusal = search.refusal;
     return filled;
 }
 

@@ -207,6 +207,15 @@ std::vector<Feature> features_of(const CadShape &shape, const SweepDirection &di
 
 } // namespace
 
+bool same(const FeatureBox &a, const FeatureBox &b) {
+    const double tolerance = 1e-6 * a.sizes[2];
+    double apart = distance(a.middle, b.middle);
+    for (std::size_t k = 0; k < 3; ++k) {
+        apart = std::max(apart, std::abs(a.sizes[k] - b.sizes[k]));
+    }
+    return apart < tolerance;
+}
+
 std::vector<FeatureBox> feature_boxes(const CadShape &shape, int solid,
                                       const SweepDirection &direction, double share) {
     std::vector<FeatureBox> result;
@@ -237,6 +246,12 @@ std::vector<FeatureBox> feature_boxes(const CadShape &shape, int solid,
                                gp_Dir(axes[2].x, axes[2].y, axes[2].z),
                                gp_Dir(axes[0].x, axes[0].y, axes[0].z));
             FeatureBox made;
+            const std::array<Range, 3> sides{box[0], box[1], length};
+            for (std::size_t k = 0; k < 3; ++k) {
+                made.middle += 0.5 * (sides[k].low + sides[k].high) * axes[k];
+                made.sizes[k] = sides[k].size();
+            }
+            std::sort(made.sizes.begin(), made.sizes.end());
             made.name = "box round " + entity_name(2, *feature.faces.begin());
             const TopoDS_Shape block =
                 BRepPrimAPI_MakeBox(frame, box[0].size(), box[1].size(), length.size()).Shape();

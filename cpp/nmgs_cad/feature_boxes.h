@@ -7,6 +7,7 @@
 
 #include <TopTools_ListOfShape.hxx>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,12 @@ namespace nmgs::cad {
 struct FeatureBox {
     TopTools_ListOfShape faces; // of the box, plane
     std::string name;           // "box round Face3"
+    Vec3 middle{};
+    std::array<double, 3> sizes{}; // ascending
 };
+
+// Whether two boxes are one, whichever way they were made.
+bool same(const FeatureBox &a, const FeatureBox &b);
 
 // Round each group of faces that are joined and stand in the way of the sweep, if they run along a
 // line square to it: once as long as they are, and once through the whole solid. margin: how far

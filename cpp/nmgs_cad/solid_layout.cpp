@@ -385,7 +385,7 @@ std::vector<FitEntry> layout_solids(const CadShape &shape, std::span<const int> 
     const auto groups = easiest_first(shape, solids);
     // Work for searches over cuts: enough for two hard ones, a little more for many; each leaves
     // what it does not use to the harder ones that come after it.
-    constexpr int for_one = 4000;
+    constexpr int for_one = 6000;
     constexpr int for_each = 300;
     int left = 2 * for_one + for_each * static_cast<int>(groups.size());
     // Pieces of a search have its end.

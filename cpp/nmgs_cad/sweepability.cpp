@@ -7,12 +7,15 @@
 #include "nmgs_cad/midpoint_obstacles.h"
 #include "nmgs_cad/occt_vec.h"
 #include "nmgs_cad/revolution_axis.h"
+#include "nmgs_cad/solid_boundary.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
@@ -26,7 +29,10 @@ namespace nmgs::cad {
 namespace {
 
 constexpr double angular = 1e-4;
-constexpr double steepest = 0.15; // as sweeps over slopes have it
+// What comes out of steeper caps is poor, and so is what comes of caps that meet walls in a sharp
+// edge or go over into them smoothly: sines of the angles.
+constexpr double steepest = 0.3;
+constexpr double sharpest = 0.25;
 
 enum class Role { wall, low, high, none };
 
@@ -95,13 +101,86 @@ bool askew(const TopoDS_Edge &edge, Vec3 direction, double tolerance) {
     return !along && !across;
 }
 
+Vec3 normal_on(const TopoDS_Face &face, const TopoDS_Edge &edge, double parameter) {
+    double first = 0;
+    double last = 0;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if (curve.IsNull()) {
+        return {};
+    }
+    const gp_Pnt2d uv = curve->Value(parameter);
+    gp_Pnt p;
+    gp_Vec du;
+    gp_Vec dv;
+    BRepAdaptor_Surface(face, Standard_False).D1(uv.X(), uv.Y(), p, du, dv);
+    const gp_Vec n = du.Crossed(dv);
+    return n.Magnitude() > 0 ? (1 / n.Magnitude()) * vec(n.XYZ()) : Vec3{};
+}
+
+// Whether two faces meet in a knife edge, or without one, anywhere along their edge.
+bool sharp_or_smooth(const TopoDS_Edge &edge, const TopoDS_Face &a, const TopoDS_Face &b) {
+    double first = 0;
+    double last = 0;
+    BRep_Tool::Range(edge, first, last);
+    for (const double t : {0.02, 0.25, 0.5, 0.75, 0.98}) {
+        const double parameter = (1 - t) * first + t * last;
+        const Vec3 n = normal_on(a, edge, parameter);
+        const Vec3 m = normal_on(b, edge, parameter);
+        if (norm2(n) > 0 && norm2(m) > 0 && norm(cross(n, m)) < sharpest) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether the wall has no height at some vertex: two of its edges go off to the same side there.
+bool pinched(const TopoDS_Face &wall, Vec3 along) {
+    TopTools_IndexedDataMapOfShapeListOfShape edges_at;
+    TopExp::MapShapesAndAncestors(wall, TopAbs_VERTEX, TopAbs_EDGE, edges_at);
+    for (int v = 1; v <= edges_at.Extent(); ++v) {
+        std::vector<Vec3> out;
+        for (const TopoDS_Shape &shape : edges_at(v)) {
+            const TopoDS_Edge edge = TopoDS::Edge(shape);
+            double first = 0;
+            double last = 0;
+            BRep_Tool::Range(edge, first, last);
+            const bool starts = TopExp::FirstVertex(edge).IsSame(edges_at.FindKey(v));
+            if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, wall) ||
+                TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge))) {
+                continue;
+            }
+            const Vec3 t = tangent_at(edge, starts ? first : last);
+            const Vec3 side = (starts ? 1.0 : -1.0) * (t - dot(t, along) * along);
+            if (norm(side) > 0.1) {
+                out.push_back(side);
+            }
+        }
+        for (std::size_t i = 1; i < out.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (dot(out[i], out[j]) > 0 && out.size() == 2) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 Sweepability sweepability(const CadShape &shape, int solid) {
     Sweepability result;
     Refusal refusal;
-    if (obstacles_of(shape, solid).weight == 0 || revolution_axis(shape, solid, refusal) ||
+    constexpr int hopeless = 100;
+    if (!boundary_of(shape, solid, refusal)) {
+        result.cost = hopeless; // no strategy knows inside from outside there
+        return result;
+    }
+    const Obstacles obstacles = obstacles_of(shape, solid);
+    const int cusps = static_cast<int>(obstacles.cusps.size()); // no strategy makes good of them
+    if (obstacles.weight == 0 || revolution_axis(shape, solid, refusal) ||
         loft_rings(shape, solid)) {
+        result.cost = cusps;
         return result;
     }
     std::map<int, std::vector<PointNormal>> samples;
@@ -146,7 +225,18 @@ Sweepability sweepability(const CadShape &shape, int solid) {
                 direction.faces.insert(n);
             }
         }
+        for (const auto &[n, list] : samples) {
+            if (roles[n] == Role::wall && pinched(shape.face(n), along)) {
+                direction.faces.insert(n);
+            }
+        }
         for (const auto &[edge, faces] : faces_of) {
+            if (faces.size() == 2 &&
+                (roles[faces[0]] == Role::wall) != (roles[faces[1]] == Role::wall) &&
+                roles[faces[0]] != Role::none && roles[faces[1]] != Role::none &&
+                sharp_or_smooth(shape.edge(edge), shape.face(faces[0]), shape.face(faces[1]))) {
+                direction.faces.insert(roles[faces[0]] == Role::wall ? faces[1] : faces[0]);
+            }
             bool walls = true;
             bool low = false;
             bool high = false;
@@ -166,7 +256,7 @@ Sweepability sweepability(const CadShape &shape, int solid) {
     std::stable_sort(
         result.directions.begin(), result.directions.end(),
         [](const SweepDirection &a, const SweepDirection &b) { return a.cost() < b.cost(); });
-    result.cost = result.directions.empty() ? 100 : result.directions.front().cost();
+    result.cost = cusps + (result.directions.empty() ? hopeless : result.directions.front().cost());
     return result;
 }
 
