@@ -219,7 +219,7 @@ def test_what_cannot_be_covered_is_named(make, named, words):
 
 
 def test_an_empty_pick_is_an_error():
-    with pytest.raises(nmgs.GeometryError, match="nothing is picked"):
+    with pytest.raises(ValueError, match="entities: nothing is picked"):
         nmgs.fit(Part.makeBox(1, 1, 1), entities=[])
 
 

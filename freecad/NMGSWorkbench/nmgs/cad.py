@@ -316,7 +316,7 @@ def picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int
             raise GeometryError("shape: it has no faces")
         return (3 if kind == "Solid" else 2), list(range(1, counts[kind] + 1))
     if not len(entities):
-        raise GeometryError("entities: nothing is picked")
+        raise ValueError("entities: nothing is picked")
     indices: List[int] = []
     kinds = set()
     for name in entities:
