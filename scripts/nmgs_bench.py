@@ -136,6 +136,11 @@ def main():
         line(f"tetrahedra of a {name}'s hexahedra, one thread", f"{tets:.0f} M/s", ">= 100 M/s")
     split, related = ms("split_million/bent"), ms("related_nodes_of_tetrahedra")
     line("  their related nodes, against the split", f"{related / split:.2f} x", "<= 5 x")
+    for divisions in (250, 50, 10):
+        seconds = ms(f"generate_on_spline/{divisions}") / 1000
+        what = f"1 M nodes on a B-spline face, patches of {divisions} x {divisions}"
+        line(what, f"{seconds:.2f} s", "<= 3 s")
+    line("skin of a solid with 50 faces laid out", f"{ms('lay_out_skin') / 1000:.2f} s", "<= 2 s")
     for ours, peer, verb in (
         ("write_n3r", "printf_peer", "written"),
         ("read_n3r", "scanf_peer", "read"),

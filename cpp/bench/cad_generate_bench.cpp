@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs_cad/face_layout.h"
 #include "nmgs_cad/generate_on_cad.h"
 #include "nmgs_cad/layout.h"
 #include "nmgs_cad/refine.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -14,6 +17,8 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 namespace {
 
@@ -73,6 +78,30 @@ BENCHMARK(generate_on_spline)
     ->Arg(10)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+// A plate with 44 holes, on 50 faces: intervals, quads of all faces, the patches' middles.
+void lay_out_skin(benchmark::State &state) {
+    TopoDS_Shape plate = BRepPrimAPI_MakeBox(120.0, 50.0, 8.0).Shape();
+    for (int n = 0; n < 44; ++n) {
+        const gp_Ax2 axis(gp_Pnt(10 + 10 * (n % 11), 8 + 11.0 * (n / 11), -1), gp_Dir(0, 0, 1));
+        plate =
+            BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(axis, 1.5 + 0.1 * (n % 5), 10).Shape())
+                .Shape();
+    }
+    for (auto _ : state) {
+        const cad::CadShape shape = cad::make_shape(plate);
+        std::vector<int> faces(static_cast<std::size_t>(shape.faces.Extent()));
+        std::iota(faces.begin(), faces.end(), 1);
+        cad::Layout layout(shape);
+        cad::LayoutOptions options;
+        options.angle = std::numbers::pi / 4;
+        std::vector<cad::FitEntry> report;
+        cad::layout_faces(shape, faces, layout, options, report);
+        benchmark::DoNotOptimize(cad::blocks_of(shape, layout, 2));
+    }
+    state.counters["faces"] = cad::make_shape(plate).faces.Extent();
+}
+BENCHMARK(lay_out_skin)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // Blocks of one division in a box, as many as of a tetrahedral mesh that was split.
 void many_blocks(benchmark::State &state) {

@@ -18,8 +18,12 @@
 #include "nmgs_cad/split_tips.h"
 #include "nmgs_cad/version.h"
 
+#include <pybind11/stl.h>
+
+#include <map>
 #include <memory>
 #include <numbers>
+#include <set>
 
 namespace nmgs::bindings {
 namespace {
@@ -31,11 +35,14 @@ std::shared_ptr<CadShape> read_brep(const py::bytes &bytes) {
     return std::make_shared<CadShape>(cad::read_brep(std::string_view(bytes)));
 }
 
-// {nodes, corners, offsets, entities, report} of faces (dimension 2) or solids (3).
+// {nodes, corners, offsets, entities, report} of faces (dimension 2) or solids (3). counts:
+// segments of edges (n of EdgeN) that a layout of faces keeps to.
 py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indices,
-             double tolerance, const std::string &method, const py::object &progress) {
+             double tolerance, const std::string &method, const py::object &progress,
+             double share_of_size, const std::map<int, int> &counts) {
     CadBlocks blocks;
     blocks.model.dimension = dimension;
+    std::set<int> counted;
     {
         const Progress listener = progress_of(progress);
         const py::gil_scoped_release release;
@@ -43,6 +50,10 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
             cad::Layout layout(shape);
             cad::LayoutOptions options;
             options.angle = std::numbers::pi / 4;
+            for (const auto &[edge, count] : counts) {
+                cad::divide_evenly(shape, edge, count, layout);
+                counted.insert(edge);
+            }
             std::vector<cad::FitEntry> report;
             cad::layout_faces(shape, indices, layout, options, report, listener, method);
             blocks = cad::blocks_of(shape, layout, 2);
@@ -56,7 +67,9 @@ py::dict fit(const CadShape &shape, int dimension, const std::vector<int> &indic
             blocks.report = std::move(report);
         }
         constexpr int rounds = 6;
-        blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener);
+        constexpr std::size_t most_blocks = 4096;
+        blocks = cad::refine_to_tolerance(shape, std::move(blocks), tolerance, rounds, listener,
+                                          most_blocks, share_of_size, counted);
         // Elements are as long as this where no size is given.
         blocks = cad::split_tips(shape, std::move(blocks), shape.diagonal() / 30, listener);
     }
@@ -126,7 +139,8 @@ PYBIND11_MODULE(cad, module) {
                                [](const nmgs::cad::CadShape &s) { return s.vertices.Extent(); })
         .def_property_readonly("diagonal", &nmgs::cad::CadShape::diagonal);
     module.def("fit", &fit, py::arg("shape"), py::arg("dimension"), py::arg("indices"),
-               py::arg("tolerance"), py::arg("method"), py::arg("progress") = py::none());
+               py::arg("tolerance"), py::arg("method"), py::arg("progress") = py::none(),
+               py::arg("share_of_size") = 0.0, py::arg("counts") = std::map<int, int>());
     module.def(
         "joined_solids",
         [](const nmgs::cad::CadShape &shape, const std::vector<int> &solids) {

@@ -309,8 +309,7 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
         if (kept.empty() || made->quality > kept.front().quality) {
             kept.assign(1, std::move(*made));
         }
-        const bool enough = kept.front().mended || tried > many;
-        if (kept.front().quality > (enough ? fair : good)) {
+        if (kept.front().quality > (tried > many ? fair : good)) {
             break;
         }
     }

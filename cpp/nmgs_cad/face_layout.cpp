@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/face_layout.h"
 
+#include "nmgs/support/error.h"
 #include "nmgs_cad/face_cusps.h"
 #include "nmgs_cad/face_general.h"
 #include "nmgs_cad/face_intervals.h"
@@ -8,7 +9,9 @@
 #include "nmgs_cad/face_midpoint.h"
 #include "nmgs_cad/face_ring.h"
 
+#include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 
 #include <algorithm>
 #include <array>
@@ -257,6 +260,28 @@ bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOp
     return !fail_safe_cover(shape, plans.front(), layout, options, "auto", refusal, quality,
                             progress)
                 .empty();
+}
+
+void divide_evenly(const CadShape &shape, int edge, int count, Layout &layout) {
+    const std::string name = entity_name(1, edge);
+    if (edge < 1 || edge > shape.edges.Extent()) {
+        throw ArgumentError("counts: the shape has no " + name);
+    }
+    if (BRep_Tool::Degenerated(shape.edge(edge))) {
+        throw ArgumentError("counts: " + name + " is a pole and has no length");
+    }
+    const bool closed =
+        TopExp::FirstVertex(shape.edge(edge)).IsSame(TopExp::LastVertex(shape.edge(edge)));
+    const int least = closed ? 3 : 1;
+    if (count < least) {
+        throw ArgumentError("counts: expected " + std::to_string(least) + " or more for " + name +
+                            ", got " + std::to_string(count));
+    }
+    std::vector<double> places;
+    for (int i = 1; i < count; ++i) {
+        places.push_back(static_cast<double>(i) / count);
+    }
+    layout.divide_edge(shape, edge, places);
 }
 
 void layout_faces(const CadShape &shape, std::span<const int> faces, Layout &layout,

@@ -20,7 +20,39 @@
 #include <limits>
 
 namespace nmgs::cad {
-namespace {} // namespace
+namespace {
+
+// Its two ends meet but for a gap that is small against the surface, which OpenCASCADE does not
+// take for closed: a seam joins them all the same.
+bool nearly_closed(const GeomAdaptor_Surface &surface, std::size_t along,
+                   const std::array<double, 2> &low, const std::array<double, 2> &high) {
+    for (const double x : {low[0], low[1], high[0], high[1]}) {
+        if (Precision::IsInfinite(x)) {
+            return false;
+        }
+    }
+    constexpr double part = 1e-3;
+    constexpr int samples = 8;
+    Box box;
+    double gap = 0;
+    for (int j = 0; j <= samples; ++j) {
+        std::array<Vec3, 2> ends{};
+        for (int i = 0; i <= samples; ++i) {
+            std::array<double, 2> x{};
+            x[along] = low[along] + (high[along] - low[along]) * i / samples;
+            x[1 - along] = low[1 - along] + (high[1 - along] - low[1 - along]) * j / samples;
+            const Vec3 p = vec(surface.Value(x[0], x[1]).XYZ());
+            box.add(p);
+            if (i == 0 || i == samples) {
+                ends[i == 0 ? 0 : 1] = p;
+            }
+        }
+        gap = std::max(gap, distance(ends[0], ends[1]));
+    }
+    return gap < part * box.diagonal();
+}
+
+} // namespace
 
 FaceProjection::FaceProjection(const TopoDS_Face &face)
     : geometry_(BRep_Tool::Surface(face)), surface_(geometry_),
@@ -28,8 +60,9 @@ FaceProjection::FaceProjection(const TopoDS_Face &face)
     std::array<double, 2> low{surface_.FirstUParameter(), surface_.FirstVParameter()};
     std::array<double, 2> high{surface_.LastUParameter(), surface_.LastVParameter()};
     BRepTools::UVBounds(face, face_low_[0], face_high_[0], face_low_[1], face_high_[1]);
-    const std::array<bool, 2> closed{surface_.IsUPeriodic() || surface_.IsUClosed(),
-                                     surface_.IsVPeriodic() || surface_.IsVClosed()};
+    const std::array<bool, 2> closed{
+        surface_.IsUPeriodic() || surface_.IsUClosed() || nearly_closed(surface_, 0, low, high),
+        surface_.IsVPeriodic() || surface_.IsVClosed() || nearly_closed(surface_, 1, low, high)};
     for (std::size_t d = 0; d < 2; ++d) {
         if (!(face_low_[d] < face_high_[d])) {
             face_low_[d] = std::max(low[d], -1e6);
@@ -42,6 +75,16 @@ FaceProjection::FaceProjection(const TopoDS_Face &face)
             period_[d] = high[d] - low[d];
         }
         const double extra = 0.05 * (face_high_[d] - face_low_[d]);
+        // A face that is well short of going round does not go on at the other side of the seam: of
+        // a blade it is one side.
+        constexpr double part = 0.85;
+        if (face_high_[d] - face_low_[d] < part * period_[d]) {
+            if (periodic) {
+                low[d] = face_low_[d] - extra;
+                high[d] = face_high_[d] + extra;
+            }
+            period_[d] = 0;
+        }
         low_[d] = period_[d] > 0 ? low[d] : std::max(low[d], face_low_[d] - extra);
         high_[d] = period_[d] > 0 ? high[d] : std::min(high[d], face_high_[d] + extra);
     }
@@ -266,14 +309,87 @@ FaceProjection::Result FaceProjection::newton(Vec3 p, Uv from) const {
     return result;
 }
 
+// Parameters of samples along one parameter, both ends included: as three lines of the face ask
+// for, nearer to each other where one of them turns.
+std::vector<double> FaceProjection::places(std::size_t along, int knots) const {
+    constexpr int steps = 256;
+    constexpr double turn = 0.15; // in radians, from one sample to the next
+    constexpr int most = 512;
+    std::vector<double> turned(steps, 0);
+    std::vector<double> length(steps, 0);
+    const auto parameter = [&](double i) {
+        return face_low_[along] + (face_high_[along] - face_low_[along]) * i / steps;
+    };
+    for (const double across : {0.1, 0.5, 0.9}) {
+        std::array<double, 2> x{};
+        x[1 - along] =
+            face_low_[1 - along] + across * (face_high_[1 - along] - face_low_[1 - along]);
+        Vec3 last{};
+        Vec3 chord{};
+        for (int i = 0; i <= steps; ++i) {
+            x[along] = parameter(i);
+            const Vec3 p = value({x[0], x[1]});
+            const Vec3 next = p - last;
+            if (i > 0) {
+                const auto k = static_cast<std::size_t>(i) - 1;
+                length[k] = std::max(length[k], norm(next));
+                if (i > 1 && norm2(next) > 0 && norm2(chord) > 0) {
+                    turned[k] = std::max(turned[k], angle_between(chord, next));
+                    turned[k - 1] = std::max(turned[k - 1], turned[k]);
+                }
+            }
+            chord = next;
+            last = p;
+        }
+    }
+    double way = 0;
+    double turns = 0;
+    for (std::size_t k = 0; k < steps; ++k) {
+        way += length[k];
+        turns += turned[k] / turn;
+    }
+    const int even = std::clamp(knots, 12, 48);
+    const int count =
+        std::min(static_cast<int>(std::max<double>(even, std::min<double>(turns, most))), most);
+    // Half of the samples by length, half by turn, if there is any.
+    std::vector<double> weight(steps, 0);
+    double all = 0;
+    for (std::size_t k = 0; k < steps; ++k) {
+        weight[k] = (way > 0 ? length[k] / way : 1.0 / steps) +
+                    (turns > 1 ? turned[k] / turn / turns : 0.0);
+        all += weight[k];
+    }
+    std::vector<double> result{parameter(0)};
+    double sum = 0;
+    for (std::size_t k = 0; k < steps; ++k) {
+        while (result.size() < static_cast<std::size_t>(count) &&
+               sum + weight[k] >= all * static_cast<double>(result.size()) / count) {
+            const double goal = all * static_cast<double>(result.size()) / count;
+            result.push_back(parameter(static_cast<double>(k) + (goal - sum) / weight[k]));
+        }
+        sum += weight[k];
+    }
+    result.push_back(face_high_[along]); // a pole's own parameter, not one beside it
+    return result;
+}
+
 void FaceProjection::make_samples() {
-    counts_ = {std::clamp(3 * surface_.NbUIntervals(GeomAbs_C2), 12, 48),
-               std::clamp(3 * surface_.NbVIntervals(GeomAbs_C2), 12, 48)};
-    for (int j = 0; j <= counts_[1]; ++j) {
-        for (int i = 0; i <= counts_[0]; ++i) {
-            samples_.push_back(
-                value({face_low_[0] + (face_high_[0] - face_low_[0]) * i / counts_[0],
-                       face_low_[1] + (face_high_[1] - face_low_[1]) * j / counts_[1]}));
+    places_ = {places(0, 3 * surface_.NbUIntervals(GeomAbs_C2)),
+               places(1, 3 * surface_.NbVIntervals(GeomAbs_C2))};
+    constexpr std::size_t most = 4000;
+    while (places_[0].size() * places_[1].size() > most) {
+        // Every other one, the last kept.
+        auto &larger = places_[0].size() > places_[1].size() ? places_[0] : places_[1];
+        std::vector<double> fewer;
+        for (std::size_t i = 0; i + 1 < larger.size(); i += 2) {
+            fewer.push_back(larger[i]);
+        }
+        fewer.push_back(larger.back());
+        larger = std::move(fewer);
+    }
+    for (const double v : places_[1]) {
+        for (const double u : places_[0]) {
+            samples_.push_back(value({u, v}));
         }
     }
 }
@@ -283,8 +399,8 @@ FaceProjection::Result FaceProjection::locate(Vec3 p) {
     if (samples_.empty()) {
         make_samples();
     }
-    const int columns = counts_[0] + 1;
-    const int rows = counts_[1] + 1;
+    const int columns = static_cast<int>(places_[0].size());
+    const int rows = static_cast<int>(places_[1].size());
     std::vector<double> d2(samples_.size());
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         d2[i] = norm2(samples_[i] - p);
@@ -319,11 +435,9 @@ FaceProjection::Result FaceProjection::locate(Vec3 p) {
     Result best;
     best.distance2 = std::numeric_limits<double>::infinity();
     for (const Start &start : starts) {
-        const int i = start.at % columns;
-        const int j = start.at / columns;
-        const Result found =
-            newton(p, {face_low_[0] + (face_high_[0] - face_low_[0]) * i / counts_[0],
-                       face_low_[1] + (face_high_[1] - face_low_[1]) * j / counts_[1]});
+        const auto i = static_cast<std::size_t>(start.at % columns);
+        const auto j = static_cast<std::size_t>(start.at / columns);
+        const Result found = newton(p, {places_[0][i], places_[1][j]});
         // A point that is found once more, from the other side of a seam, changes nothing.
         if (found.distance2 < best.distance2 - 1e-20 * scale_ * scale_) {
             best = found;
@@ -419,7 +533,10 @@ Vec3 FaceProjection::normal(Vec3 p) {
         surface_.D1(beside.u, beside.v, s, u, v);
         const Vec3 n = cross(vec(u.XYZ()), vec(v.XYZ()));
         const double size = norm(n);
-        if (size > 1e-9 * u.Magnitude() * v.Magnitude() && size > 0) {
+        const double least = 1e-9 * scale_;
+        const bool pole = u.Magnitude() * (face_high_[0] - face_low_[0]) < least ||
+                          v.Magnitude() * (face_high_[1] - face_low_[1]) < least;
+        if (!pole && size > 1e-9 * u.Magnitude() * v.Magnitude() && size > 0) {
             return ((reversed_ ? -1 : 1) / size) * n;
         }
     }

@@ -66,6 +66,7 @@ private:
     [[nodiscard]] Result newton(Vec3 p, Uv from) const;
     [[nodiscard]] Result locate(Vec3 p);
     Uv find(Vec3 p, Vec3 &point);
+    [[nodiscard]] std::vector<double> places(std::size_t along, int knots) const;
     void make_samples();
 
     Handle(Geom_Surface) geometry_;
@@ -85,7 +86,7 @@ private:
     bool keep_ = false; // to the sheet of the guess, which the caller has chosen
     Vec3 asked_{};
     Uv last_, before_;
-    std::array<int, 2> counts_{}; // of samples
+    std::array<std::vector<double>, 2> places_; // parameters of the samples
     std::vector<Vec3> samples_;
 };
 

@@ -109,10 +109,33 @@ FitError measure(const CadShape &shape, const CadBlocks &blocks, std::int32_t fi
 
 namespace {
 
-// By how much the quadratics along each direction of each block miss the CAD, the larger of a
-// chain's for all its directions.
+// What each block is to keep: the tolerance, or the share of the size of the blocks that come from
+// the same entity.
+std::vector<double> tolerances(const CadBlocks &blocks, double tolerance, double share_of_size) {
+    std::vector<double> result(blocks.model.size(), tolerance);
+    for (const FitEntry &entry : blocks.report) {
+        if (entry.method.empty() || !(share_of_size > 0)) {
+            continue;
+        }
+        const auto first = static_cast<std::size_t>(entry.first_block);
+        const auto last = first + static_cast<std::size_t>(entry.blocks);
+        Box box;
+        for (std::size_t b = first; b < last; ++b) {
+            for (const Vec3 p : blocks.model.element(b)) {
+                box.add(p);
+            }
+        }
+        for (std::size_t b = first; b < last; ++b) {
+            result[b] = std::min(tolerance, share_of_size * box.diagonal());
+        }
+    }
+    return result;
+}
+
+// By how much the quadratics along each direction of each block miss the CAD, in its tolerance, the
+// larger of a chain's for all its directions.
 std::vector<double> errors_of_chains(const CadBlocks &blocks, const SnappedBlocks &fine,
-                                     const Chains &chains) {
+                                     const Chains &chains, const std::vector<double> &tolerance) {
     const std::size_t n = blocks.model.size();
     const auto dimension = static_cast<std::size_t>(blocks.model.dimension);
     std::vector<double> errors(dimension * n, 0);
@@ -128,8 +151,8 @@ std::vector<double> errors_of_chains(const CadBlocks &blocks, const SnappedBlock
                 const auto v = static_cast<std::size_t>(axes.axis[1]);
                 double &along_u = errors[dimension * b + u];
                 double &along_v = errors[dimension * b + v];
-                along_u = std::max(along_u, quadratic_error(fine, b, code, u, v));
-                along_v = std::max(along_v, quadratic_error(fine, b, code, v, u));
+                along_u = std::max(along_u, quadratic_error(fine, b, code, u, v) / tolerance[b]);
+                along_v = std::max(along_v, quadratic_error(fine, b, code, v, u) / tolerance[b]);
             }
         }
     });
@@ -159,6 +182,22 @@ std::vector<double> errors_of_chains(const CadBlocks &blocks, const SnappedBlock
         result[c] *= cusp[c] != 0 ? patience : 1;
     }
     return result;
+}
+
+// No error of the chains that have an edge on one of the CAD's that are kept.
+void forgive(const CadBlocks &blocks, const Chains &chains, const std::set<int> &kept,
+             std::vector<double> &errors) {
+    const auto dimension = static_cast<std::size_t>(blocks.model.dimension);
+    for (std::size_t b = 0; b < blocks.model.size() && !kept.empty(); ++b) {
+        for (int code = 0; code < part::count; ++code) {
+            const auto on = blocks.binding.of(b, code);
+            if (part::dimension(code) == 1 && !on.empty() && on[0].dimension == 1 &&
+                kept.contains(on[0].index)) {
+                const auto along = static_cast<std::size_t>(part::axes(code).axis[0]);
+                errors[static_cast<std::size_t>(chains.chain[dimension * b + along])] = 0;
+            }
+        }
+    }
 }
 
 // Which chains are halved: those with an error above the share, the worst first, as long as there
@@ -218,7 +257,8 @@ void measure_report(const CadShape &shape, CadBlocks &blocks) {
 }
 
 CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double tolerance,
-                              int max_rounds, const Progress &progress, std::size_t most_blocks) {
+                              int max_rounds, const Progress &progress, std::size_t most_blocks,
+                              double share_of_size, const std::set<int> &kept) {
     const bool solid = blocks.model.dimension == 3;
     const auto dimension = static_cast<std::size_t>(blocks.model.dimension);
     const auto poll_at = [&](double fraction) {
@@ -237,9 +277,11 @@ CadBlocks refine_to_tolerance(const CadShape &shape, CadBlocks blocks, double to
             std::vector(n, std::array<std::int32_t, 3>{truth, truth, solid ? truth : 0}),
             SnapParts::boundary, listener);
         const Chains chains = find_chains(fine.model, fine.topology);
+        auto errors =
+            errors_of_chains(blocks, fine, chains, tolerances(blocks, tolerance, share_of_size));
+        forgive(blocks, chains, kept, errors);
         // Two directions and the term that the serendipity patch lacks share the error.
-        const auto split = chains_to_split(
-            fine.model, chains, errors_of_chains(blocks, fine, chains), tolerance / 3, most_blocks);
+        const auto split = chains_to_split(fine.model, chains, errors, 1.0 / 3, most_blocks);
         if (std::find(split.begin(), split.end(), 1) == split.end()) {
             break;
         }

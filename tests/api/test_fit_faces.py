@@ -196,6 +196,88 @@ def test_an_unbounded_face_is_named():
         nmgs.fit(face)
 
 
+def bow_tie():
+    return polygon((0, 0, 0), (1, 1, 0), (1, 0, 0), (0, 1, 0))
+
+
+@pytest.mark.parametrize(
+    "make, named, words",
+    [
+        (lambda: Part.Plane().toShape(), ["Face1"], "Face1 has no end"),
+        (lambda: Part.Cylinder().toShape(), ["Face1"], "Face1 has no end"),
+        (lambda: Part.makeCompound([Part.makePlane(1, 1), bow_tie()]), ["Face2"], "not valid"),
+        (lambda: Part.makeCompound([]), [], "no faces"),
+        (lambda: Part.Vertex(0, 0, 0), [], "no faces"),
+        (Part.Shape, [], "empty"),
+        (lambda: [], [], "empty"),
+    ],
+)
+def test_what_cannot_be_covered_is_named(make, named, words):
+    with pytest.raises(nmgs.GeometryError, match=words) as caught:
+        nmgs.fit(make())
+    assert list(caught.value.entities) == named
+
+
+def test_an_empty_pick_is_an_error():
+    with pytest.raises(ValueError, match="entities: nothing is picked"):
+        nmgs.fit(Part.makeBox(1, 1, 1), entities=[])
+
+
+def nodes_on(mesh, edge):
+    return len(mesh.groups[f"Edge{edge}"][1])
+
+
+def test_counts_on_edges_hold_along_blocks_where_these_allow_it():
+    model = nmgs.fit(Part.makePlane(3, 2), counts={"Edge1": 5, "Edge3": 5})
+    assert len(model) == 1
+    assert nodes_on(model.generate(), 1) == nodes_on(model.generate(), 3) == 6
+
+
+@pytest.mark.parametrize("size", (None, 0.4))
+def test_counts_that_differ_across_a_face_are_laid_out(size):
+    face = Part.makePlane(3, 2)
+    mesh = nmgs.fit(face, size=size, counts={"Edge1": 5, "Edge3": 9}).generate()
+    check_cover(face, mesh)
+    assert nodes_on(mesh, 1) == 6 and nodes_on(mesh, 3) == 10
+    assert quad_area(mesh).sum() == pytest.approx(6, rel=1e-9)
+
+
+def test_counts_hold_on_edges_that_faces_share():
+    solid = SKINS["drilled block"]()
+    faces = [f"Face{n}" for n in range(1, len(solid.Faces) + 1)]
+    circle = next(
+        n for n, e in enumerate(solid.Edges, 1) if isinstance(e.Curve, Part.Circle) and e.Closed
+    )
+    line = next(n for n, e in enumerate(solid.Edges, 1) if e.Length == pytest.approx(6))
+    wanted = {f"Edge{circle}": 14, f"Edge{line}": 9}
+    mesh = nmgs.fit(solid, entities=faces, counts=wanted).generate()
+    ends = check_cover(solid, mesh)
+    _, uses = np.unique(ends, axis=0, return_counts=True)
+    assert (uses == 2).all()
+    assert nodes_on(mesh, circle) == 14 and nodes_on(mesh, line) == 10
+
+
+def test_counts_that_contradict_each_other_are_named():
+    counts = {"Edge1": 5, "Edge2": 3, "Edge3": 8, "Edge4": 3}  # 19 segments: no quads fit in
+    with pytest.raises(nmgs.BlockingError, match="Face1.*odd number") as caught:
+        nmgs.fit(Part.makePlane(3, 2), counts=counts)
+    assert set(counts) < set(caught.value.entities)
+
+
+@pytest.mark.parametrize(
+    "counts, words",
+    [
+        ({"Edge9": 3}, "Edge9"),
+        ({"Face1": 3}, "Face1"),
+        ({"Edge1": 0}, "Edge1"),
+        ({"Edge1": 2.5}, "Edge1"),
+    ],
+)
+def test_counts_that_make_no_sense_are_named(counts, words):
+    with pytest.raises((ValueError, nmgs.GeometryError), match=words):
+        nmgs.fit(Part.makePlane(3, 2), counts=counts)
+
+
 def test_a_fit_can_be_cancelled():
     with pytest.raises(nmgs.Cancelled):
         nmgs.fit(plate_with_holes(), progress=lambda fraction: False)

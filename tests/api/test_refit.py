@@ -75,3 +75,44 @@ def test_another_topology_is_refused_by_name():
         nmgs.refit(model, Part.makeCylinder(1, 1))
     with pytest.raises(ValueError, match="fit"):
         nmgs.refit(nmgs.shapes.cube(), Part.makeBox(1, 1, 1))
+
+
+def drilled_plate(length, radius):
+    plate = Part.makeBox(length, 30, 5)
+    return plate.cut(Part.makeCylinder(radius, 5, FreeCAD.Vector(length / 2, 12, 0)))
+
+
+def test_patches_over_a_skin_follow_a_changed_dimension():
+    old, new = drilled_plate(40, 4), drilled_plate(60, 7)
+    faces = [f"Face{n}" for n in range(1, len(old.Faces) + 1)]
+    model = nmgs.fit(old, entities=faces, size=4, counts={"Edge1": 8})
+    again = nmgs.refit(model, new)
+    assert (again.divisions == model.divisions).all()
+    before, after = model.generate(), again.generate()
+    assert (after.cells["quad"] == before.cells["quad"]).all()
+    assert after.quality()["quad"].min() > 0.2
+    for n, face in enumerate(new.Faces, 1):
+        quads = after.points[after.cells["quad"][after.groups[f"Face{n}"][1]]]
+        area = 0.5 * np.linalg.norm(
+            np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1]), axis=1
+        )
+        assert area.sum() == pytest.approx(face.Area, rel=0.02)
+    for point in after.points[::7]:
+        assert new.distToShape(Part.Vertex(*point))[0] < 1e-7 * new.BoundBox.DiagonalLength
+
+
+def test_another_topology_is_refused_by_name():
+    model = nmgs.fit(drilled_plate(40, 4), entities=["Face1"])
+    with pytest.raises(nmgs.GeometryError, match="10 vertices.*has 8"):
+        nmgs.refit(model, Part.makeBox(1, 2, 3))
+
+
+def test_blocks_that_no_longer_follow_are_told():
+    from freecad.NMGSWorkbench.nmgs.refit import follows
+
+    shape = Part.makeCylinder(2, 5)
+    model = nmgs.fit(shape, entities=["Face1"])
+    assert follows(nmgs.refit(model, Part.makeCylinder(3, 9)), model)
+    # A cylinder's patches on a thin and long one: in the diagonal's measure they are as near.
+    assert follows(nmgs.refit(model, Part.makeCylinder(0.5, 90)), model)
+    assert not follows(nmgs.refit(model, Part.makeCylinder(30, 0.5)), model, tolerance=1e-6)

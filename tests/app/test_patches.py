@@ -83,6 +83,74 @@ def test_recompute_follows_the_part(document, box):
     assert np.ptp(nodes_of(obj)[:, 2]) == pytest.approx(60)
 
 
+def drilled_plate(document):
+    plate = document.addObject("Part::Box", "Plate")
+    plate.Length, plate.Width, plate.Height = 40, 30, 5
+    drill = document.addObject("Part::Cylinder", "Drill")
+    drill.Radius, drill.Height = 4, 20
+    drill.Placement.Base = FreeCAD.Vector(12, 12, -5)
+    cut = document.addObject("Part::Cut", "Cut")
+    cut.Base, cut.Tool = plate, drill
+    document.recompute()
+    return plate, drill, cut
+
+
+def test_the_layout_stays_when_a_dimension_changes(document):
+    plate, drill, cut = drilled_plate(document)
+    faces = [f"Face{n + 1}" for n in range(len(cut.Shape.Faces))]
+    obj = patches.make(document)
+    obj.Source = [(cut, tuple(faces))]
+    obj.Size = 4
+    document.recompute()
+    before = obj.Proxy.model(obj)
+    obj.Size = 0  # other divisions, the same layout
+    drill.Radius = 6.5
+    drill.Placement.Base.x = 20
+    plate.Length = 55
+    document.recompute()
+    after = obj.Proxy.model(obj)
+    assert obj.isValid()
+    assert [e["first_block"] for e in after.report] == [e["first_block"] for e in before.report]
+    assert np.array_equal(after.cad.corners, before.cad.corners)
+    mesh = after.generate()
+    assert set(mesh.cells) == {"quad"} and mesh.quality()["quad"].min() > 0.2
+    p, q = mesh.points, mesh.cells["quad"]
+    area = (
+        0.5
+        * np.linalg.norm(np.cross(p[q[:, 2]] - p[q[:, 0]], p[q[:, 3]] - p[q[:, 1]]), axis=1).sum()
+    )
+    assert area == pytest.approx(cut.Shape.Area, rel=0.01)
+
+
+def test_another_topology_is_laid_out_anew(document):
+    plate, drill, cut = drilled_plate(document)
+    obj = patches.make(document)
+    top = max(range(len(cut.Shape.Faces)), key=lambda n: cut.Shape.Faces[n].CenterOfMass.z)
+    obj.Source = [(cut, (f"Face{top + 1}",))]
+    document.recompute()
+    assert len(cut.Shape.Faces[top].Wires) == 2
+    drill.Placement.Base.x = 0  # a notch in the side
+    document.recompute()
+    assert obj.isValid()
+    fresh = nmgs.fit(cut.Shape, entities=[f"Face{top + 1}"])
+    assert len(obj.Proxy.model(obj)) == len(fresh)
+
+
+def test_counts_on_edges(document, box):
+    obj = patches.make(document)
+    obj.Source = [(box, ("Face1",))]
+    edges = box.Shape.Faces[0].Edges
+    number = next(n for n, e in enumerate(box.Shape.Edges, 1) if e.isSame(edges[0]))
+    obj.EdgeCounts = [f"Box.Edge{number}: 7"]
+    document.recompute()
+    assert obj.isValid() and 7 in obj.Divisions
+    nodes = obj.Proxy.model(obj).generate().groups[f"Edge{number}"][1]
+    assert len(nodes) == 8
+    obj.EdgeCounts = ["Edge: 7"]
+    document.recompute()
+    assert not obj.isValid()
+
+
 def test_divisions_by_hand_stay(document, box):
     obj = patches.make(document)
     obj.Source = [(box, ("Face1",))]

@@ -9,6 +9,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -150,6 +151,55 @@ TEST(FaceProjection, NormalsLookOutOfASolid) {
     TopExp::MapShapes(inside_out, TopAbs_FACE, faces);
     FaceProjection wall(TopoDS::Face(faces(1)));
     EXPECT_NEAR(wall.normal({1, 0, 0.5}).x, -1, 1e-12);
+}
+
+TEST(FaceProjection, GoesOverASeamThatOpenCascadeDoesNotTakeForClosed) {
+    // A cylinder interpolated all round but for 1e-4.
+    constexpr int around = 33;
+    const double whole = 2 * std::acos(-1.0) - 1e-4;
+    TColgp_Array2OfPnt points(1, around, 1, 4);
+    for (int i = 1; i <= around; ++i) {
+        for (int j = 1; j <= 4; ++j) {
+            const double a = whole * (i - 1) / (around - 1);
+            points(i, j) = {2 * std::cos(a), 2 * std::sin(a), 1.0 * j};
+        }
+    }
+    const Handle(Geom_BSplineSurface) surface =
+        GeomAPI_PointsToBSplineSurface(points, 3, 8, GeomAbs_C2, 1e-6).Surface();
+    ASSERT_FALSE(surface->IsUClosed());
+    FaceProjection projection(BRepBuilderAPI_MakeFace(surface, 1e-7).Face());
+    const auto place = [](double a) { return Vec3{2.05 * std::cos(a), 2.05 * std::sin(a), 2}; };
+    projection.start(place(0.3));
+    for (double a = 0.3; a > -0.6; a -= 0.1) {
+        EXPECT_NEAR(distance(projection.nearest(place(a)), place(a)), 0.05, 1e-3) << a;
+    }
+}
+
+TEST(FaceProjection, FindsTheFootAtTheTightEndOfABlade) {
+    // A thin closed curve with few intervals of its parameter between places of much curvature.
+    constexpr int around = 160;
+    TColgp_Array1OfPnt points(1, around + 1);
+    for (int i = 0; i <= around; ++i) {
+        const double a = 2 * std::acos(-1.0) * i / around;
+        points(i + 1) = {100 * std::cos(a), 6 * std::sin(a), 0};
+    }
+    const Handle(Geom_BSplineCurve) curve =
+        GeomAPI_PointsToBSpline(points, 3, 3, GeomAbs_C2, 1e-7).Curve();
+    const Handle(Geom_Surface) surface = new Geom_SurfaceOfLinearExtrusion(curve, gp_Dir(0, 0, 1));
+    const double middle = 0.5 * (curve->FirstParameter() + curve->LastParameter());
+    const double last = curve->LastParameter();
+    // A little more than one side of it, with one of the tight ends inside.
+    const double first = middle - 0.1 * (last - middle);
+    FaceProjection projection(BRepBuilderAPI_MakeFace(surface, first, last, 0, 20, 1e-7).Face());
+    for (double t = first; t < last; t += 0.003 * (last - first)) {
+        gp_Pnt p;
+        gp_Vec d;
+        curve->D1(t, p, d);
+        const gp_Vec inwards = gp_Vec(0, 0, 1).Crossed(d).Normalized() * 0.15;
+        projection.forget();
+        const Vec3 q{p.X() + inwards.X(), p.Y() + inwards.Y(), 7};
+        EXPECT_LE(distance(projection.nearest(q), q), 0.1501) << t;
+    }
 }
 
 } // namespace

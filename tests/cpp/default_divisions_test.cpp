@@ -2,6 +2,7 @@
 #include "nmgs/blocking/default_divisions.h"
 
 #include "nmgs/element/hexa20.h"
+#include "nmgs/element/quad8.h"
 #include "nmgs/support/error.h"
 
 #include <gtest/gtest.h>
@@ -100,6 +101,22 @@ TEST(DefaultDivisions, ManyUnstructuredBlocksAreCoarser) {
     EXPECT_EQ(divide(model, 10, options)[1], 2);
     options.structured = {1};
     EXPECT_EQ(divide(model, 10, options)[1], 6);
+}
+
+TEST(DefaultDivisions, KeepTheAreaOfThinPatches) {
+    // It turns by less than 7 degrees, but the bulge is a sixth of its area.
+    BlockModel model;
+    model.dimension = 2;
+    for (const auto &at : quad8::natural) {
+        const double y = 0.05 * (1 + at[1]);
+        model.nodes.push_back(
+            {5 * (1 + at[0]), y + (at[1] > 0 ? 0.03 * (1 - at[0] * at[0]) : 0), 0});
+    }
+    model.divisions.push_back({1, 1, 0});
+    // n chords leave 1 / n^2 of the segment's area of 0.2 out.
+    const auto g = divide(model, 100);
+    EXPECT_LT(0.2 / (g[0] * g[0]), 0.006 * 1.2);
+    EXPECT_LE(g[0], 12);
 }
 
 } // namespace

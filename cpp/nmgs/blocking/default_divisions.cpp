@@ -3,6 +3,7 @@
 
 #include "nmgs/blocking/cusp.h"
 #include "nmgs/blocking/divisions.h"
+#include "nmgs/blocking/patch_area.h"
 #include "nmgs/element/hexa20.h"
 #include "nmgs/element/quad8.h"
 #include "nmgs/support/at.h"
@@ -150,6 +151,15 @@ Volumes volumes(const BlockModel &model, std::size_t b, const std::array<std::in
     return result;
 }
 
+// Of a patch its areas.
+Volumes measured(const BlockModel &model, std::size_t b, const std::array<std::int32_t, 3> &g) {
+    if (model.dimension == 3) {
+        return volumes(model, b, g);
+    }
+    const PatchArea area = patch_area(model, b, g);
+    return {area.linear, area.exact};
+}
+
 Divisions divide(const BlockModel &model, const Chains &chains, const Needs &needs, double size,
                  double coarser) {
     Divisions result = model.divisions;
@@ -240,12 +250,12 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     Divisions result = within();
     constexpr int rounds = 4;
     constexpr double at_cusps = 1.4; // times the error: there are no more elements than must be
-    for (int round = 0; round < rounds && model.dimension == 3; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         std::vector<Volumes> all(parts);
         std::vector<double> off(model.size(), 0);
         std::vector<double> worst(parts, 0);
         for (std::size_t b = 0; b < model.size(); ++b) {
-            const Volumes v = volumes(model, b, result[b]);
+            const Volumes v = measured(model, b, result[b]);
             all[at(part[b])].linear += v.linear;
             all[at(part[b])].exact += v.exact;
             off[b] = std::abs(v.linear - v.exact);
@@ -269,7 +279,9 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
             if (finer[chain] > 1) {
                 const auto now = static_cast<double>(result[i / n][i % n]);
                 needs.angles[chain] = finer[chain] * std::max(needs.angles[chain], now);
-                needs.few[chain] = finer[chain] * std::max(needs.few[chain], now);
+                // The tips of patches stay whole for longer: they are a small part of the area.
+                needs.few[chain] = n == 3 ? finer[chain] * std::max(needs.few[chain], now)
+                                          : needs.angles[chain] / bent;
                 finer[chain] = 1;
             }
         }

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
-from . import _kernel, tet_to_hexas
+from . import _kernel, sizing, tet_to_hexas
 from .block_model import BlockModel, CadLink
 from .errors import BlockingError, GeometryError, TetGenError
 
@@ -15,6 +15,8 @@ from .errors import BlockingError, GeometryError, TetGenError
 SOLID_METHODS = ("auto", "mapped", "primitive", "submap", "sweep", "mid-point", "cut", "tet-to-hex")
 FACE_METHODS = ("auto", "mapped", "mid-point", "ring", "general")
 METHODS = SOLID_METHODS + FACE_METHODS[3:]
+#: How far a patch may be from its face, as a part of the face's size, when nothing is asked for.
+FACE_TOLERANCE = 1e-3
 
 
 def fit(
@@ -24,6 +26,7 @@ def fit(
     method: str = "auto",
     progress: Optional[Callable[[float], Any]] = None,
     entities: Optional[Sequence[str]] = None,
+    counts: Optional[Mapping[str, int]] = None,
 ) -> BlockModel:
     """Blocks over CAD: 20-node blocks in solids, or 8-node patches over faces.
 
@@ -31,15 +34,19 @@ def fit(
     its faces are covered. size: wanted length of an element's edge; None for a thirtieth of the
     shape's diagonal, finer by curvature, coarser where that makes too many cells. tolerance: blocks
     are halved until no face of theirs is farther than this from its CAD face, or there are
-    thousands; None for a thousandth of the diagonal. What was reached is in the report.
+    thousands; None for a thousandth of the size of the face, or of the diagonal with solids. What
+    was reached is in the report.
     method: one of METHODS. "auto" takes the structured strategy with the best blocks and, where
     none applies, tet-to-hex, which splits tetrahedra. Solids that touch share nodes: either all
     of them are structured, or none.
     entities: only these, all faces ("Face3", ...) or all solids ("Solid1", ...).
+    counts: elements along edges, {"Edge3": 12, ...}: along chains of blocks where these allow it,
+    else faces are laid out anew so that each keeps to its own; solids take them along chains only.
     The model's report has an entry a face or solid: method, and in words why no other applies.
-    Raises GeometryError when the shape is empty or not valid, BlockingError when no block could be
-    made, ValueError.
+    Raises GeometryError when the shape, or what is picked of it, is empty, not valid or without
+    end, BlockingError when no block could be made or counts contradict each other, ValueError.
     """
+    numbers = edge_numbers(counts)
     if method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     if size is not None and not size > 0:
@@ -52,24 +59,69 @@ def fit(
     kernel = _kernel.cad()
     cad_shape = kernel.CadShape(brep_bytes(part))
     accepted = 1e-3 * cad_shape.diagonal if tolerance is None else float(tolerance)
+    of_face = FACE_TOLERANCE if dimension == 2 and tolerance is None else 0.0
     if dimension == 3 and method == tet_to_hexas.METHOD:
         raw = _with_tets(cad_shape, _nothing(indices), accepted, progress)
     else:
-        raw = kernel.fit(cad_shape, dimension, indices, accepted, method, progress)
+        raw = kernel.fit(cad_shape, dimension, indices, accepted, method, progress, of_face)
         if dimension == 3 and method == "auto":
             raw = _with_tets(cad_shape, raw, accepted, progress)
+    model = _sized(cad_shape, raw, size)
+    if not numbers:
+        return model
+    try:
+        sizing.set_edge_counts(model, counts or {})
+        return model
+    except BlockingError:
+        if dimension == 3:
+            raise
+    raw = kernel.fit(cad_shape, 2, indices, accepted, method, progress, of_face, numbers)
+    left = [entry for entry in raw["report"] if not entry["method"]]
+    if left:
+        reasons = [entry["reason"] for entry in left]
+        names = [entry["entity"] for entry in left]
+        raise BlockingError("counts: " + "; ".join(reasons), names + list(counts or ()), reasons)
+    model = _sized(cad_shape, raw, size)
+    sizing.set_edge_counts(model, counts or {})
+    return model
+
+
+def edge_numbers(counts: Optional[Mapping[str, int]]) -> Dict[int, int]:
+    """{3: 12, ...} of {"Edge3": 12, ...}. Raises ValueError."""
+    result = {}
+    for name, count in (counts or {}).items():
+        number = name[4:] if isinstance(name, str) and name.startswith("Edge") else ""
+        if not number.isdigit() or not int(number):
+            raise ValueError(f"counts: expected names like Edge3, got {name!r}")
+        if isinstance(count, bool) or count != int(count) or count < 1:
+            raise ValueError(f"counts: expected a whole number from 1 on, got {count!r} for {name}")
+        result[int(number)] = int(count)
+    return result
+
+
+def _sized(shape: Any, raw: Dict[str, Any], size: Optional[float]) -> BlockModel:
+    """The model of what the kernel's fit() returned, with its divisions."""
     report = raw["report"]
     if not len(raw["nodes"]):
         names = [entry["entity"] for entry in report]
         reasons = [entry["reason"] for entry in report]
         raise BlockingError("no blocks: " + "; ".join(reasons), names, reasons)
+    model = linked(shape, raw)
+    divide(model, size)
+    return model
 
-    model = linked(cad_shape, raw)
+
+def divide(
+    model: BlockModel, size: Optional[float], counts: Optional[Mapping[str, int]] = None
+) -> None:
+    """Divisions of a fitted model by size, None for the default ones, and by counts on edges, as
+    fit has them. Raises as sizing.set_edge_counts does."""
     if size is None:
         default_divisions(model)
     else:
         model.set_divisions(float(size))
-    return model
+    if counts:
+        sizing.set_edge_counts(model, counts)
 
 
 def linked(shape: Any, raw: Dict[str, Any]) -> BlockModel:
@@ -263,6 +315,8 @@ def picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int
         if not counts[kind]:
             raise GeometryError("shape: it has no faces")
         return (3 if kind == "Solid" else 2), list(range(1, counts[kind] + 1))
+    if not len(entities):
+        raise ValueError("entities: nothing is picked")
     indices: List[int] = []
     kinds = set()
     for name in entities:
@@ -284,11 +338,24 @@ def picked(shape: Any, entities: Optional[Sequence[str]]) -> Tuple[int, List[int
 def check_valid(shape: Any, dimension: int, indices: Sequence[int]) -> None:
     parts = shape.Solids if dimension == 3 else shape.Faces
     kind = "Solid" if dimension == 3 else "Face"
+    endless = [f"{kind}{n}" for n in indices if not _has_end(parts[n - 1])]
+    if endless:
+        raise GeometryError(
+            f"shape: {', '.join(endless)} has no end: cut it, or bound it by edges", endless
+        )
     bad = [f"{kind}{n}" for n in indices if not parts[n - 1].isValid()]
     if bad:
         raise GeometryError(
             f"shape: {', '.join(bad)} is not valid geometry (Part > Check Geometry tells more)", bad
         )
+
+
+def _has_end(part: Any) -> bool:
+    """OpenCASCADE counts parameters and lengths from 1e100 on as infinite."""
+    ranges = [value for face in part.Faces for value in face.ParameterRange]
+    box = part.BoundBox
+    ends = [box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax]
+    return all(abs(value) < 1e50 for value in ranges + ends)
 
 
 def generate_on_cad(

@@ -39,9 +39,22 @@ def refit(
     result = model.copy()
     result.nodes = nodes
     result.cad = CadLink(after, model.cad.offsets, model.cad.entities, model.cad.corners)
+    result.cad.whole = model.cad.whole
     result.report = [dict(entry) for entry in model.report]
     measured = iter(errors)
     for entry in result.report:
         if entry["method"]:
             entry["error"], entry["place"] = next(measured)
     return result
+
+
+def follows(model: BlockModel, before: BlockModel, tolerance: Optional[float] = None) -> bool:
+    """Whether refitted blocks are as good as a new fit's: as near to the CAD as the tolerance (a
+    thousandth of the diagonal) or as they were before, and none turned over."""
+    if model.cad is None:
+        raise ValueError("model: expected blocks that nmgs.fit laid over CAD, got a free model")
+    accepted = 1e-3 * model.cad.shape.diagonal if tolerance is None else tolerance
+    for entry, old in zip(model.report, before.report):
+        if entry["method"] and entry["error"] > max(accepted, 2 * old["error"]):
+            return False
+    return not any(p.kind in ("folded", "collapsed", "mirrored") for p in model.check())

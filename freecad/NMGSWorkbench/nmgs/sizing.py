@@ -166,6 +166,8 @@ def _segments(model: BlockModel, number: int) -> Dict[Tuple[float, ...], Tuple[i
     size = model.cad.shape.diagonal  # type: ignore[union-attr]
     result: Dict[Tuple[float, ...], Tuple[int, int]] = {}
     for element, code in _bound(model, 1, number).tolist():
+        if code not in codes:  # a corner inside the CAD's edge
+            continue
         place = model.nodes[element, middle[code]]
         key = tuple(np.round(place / (1e-7 * size)).tolist())
         result.setdefault(key, (element, codes[code]))

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Dict, List, Optional, Sequence
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import FreeCAD
 import numpy as np
 
 from .. import nmgs
+from ..nmgs.cad import divide
+from ..nmgs.refit import follows
 from . import gradings, shape_library, sources
 from .base import DocumentObject
 from .block_edges import edges_shape
@@ -58,6 +60,14 @@ PROPERTIES = (
         0,
     ),
     ("App::PropertyString", "Method", "Fit", "How solids are cut into blocks", "auto", 0),
+    (
+        "App::PropertyStringList",
+        "EdgeCounts",
+        "Fit",
+        "Elements along edges of the part, a line each, as Edge3: 12 or Box.Edge3: 12",
+        None,
+        0,
+    ),
     (
         "App::PropertyBool",
         "AutoDivisions",
@@ -120,6 +130,9 @@ class Blocking(DocumentObject):
     _model: Optional[nmgs.BlockModel] = None
     #: What the last fit started from, to find the document's names of what it says.
     _picked: Optional[sources.Picked] = None
+    #: What was asked of the last fit of this session, and what it gave: its layout is kept while
+    #: only dimensions change.
+    _last: Optional[Tuple[Any, nmgs.BlockModel]] = None
     #: nmgs.fit's report of this session's last fit.
     report: Sequence[Dict[str, Any]] = ()
 
@@ -177,17 +190,20 @@ class Blocking(DocumentObject):
     def _fitted(self, obj: Any) -> nmgs.BlockModel:
         picked = sources.gather(obj.Source)
         self._picked = picked
-        model = run(
-            lambda progress: nmgs.fit(
-                picked.shape,
-                size=obj.Size.Value or None,
-                tolerance=obj.Tolerance.Value or None,
-                method=obj.Method or "auto",
-                progress=progress,
-                entities=picked.names,
-            ),
-            self.text,
-        )
+        asked = {
+            "tolerance": obj.Tolerance.Value or None,
+            "method": obj.Method or "auto",
+            "entities": picked.names,
+            "counts": edge_counts(obj.EdgeCounts, picked),
+        }
+        size = obj.Size.Value or None
+        model = self._kept(picked.shape, size, asked)
+        if model is None:
+            model = run(
+                lambda progress: nmgs.fit(picked.shape, size=size, progress=progress, **asked),
+                self.text,
+            )
+        self._last = (asked, model.copy())
         if model.nodes.shape[1] != self.nodes_per_element:
             raise nmgs.GeometryError(
                 f"{obj.Label}: expected elements of {self.nodes_per_element} nodes, "
@@ -200,6 +216,23 @@ class Blocking(DocumentObject):
         if not obj.AutoDivisions:
             gradings.put(model, obj.Grading)
         model.reference = model._checked_reference(obj.Reference)
+        return model
+
+    def _kept(
+        self, shape: Any, size: Optional[float], asked: Dict[str, Any]
+    ) -> Optional[nmgs.BlockModel]:
+        """The last fit's layout on the shape as it is now; None where that is another one, or does
+        not follow it as closely as is asked for."""
+        if self._last is None or self._last[0] != asked:
+            return None
+        last = self._last[1]
+        try:
+            model = run(lambda progress: nmgs.refit(last, shape, progress), self.text)
+            if not follows(model, last, asked["tolerance"]):
+                return None
+            divide(model, size, asked["counts"])
+        except (nmgs.GeometryError, nmgs.BlockingError):
+            return None
         return model
 
     def model(self, obj: Any) -> nmgs.BlockModel:
@@ -249,11 +282,27 @@ class Blocking(DocumentObject):
             "Size",
             "Tolerance",
             "Method",
+            "EdgeCounts",
             "Library",
             "Arguments",
             "AutoDivisions",
         ):
             self._model = None
+
+
+def edge_counts(lines: Sequence[str], picked: sources.Picked) -> Dict[str, int]:
+    """{"Edge3": 12, ...} in the shape of all that is picked, of "Edge3: 12" or "Box.Edge3: 12".
+    Raises ValueError that names the line."""
+    counts = {}
+    for line in lines:
+        where, _, count = line.partition(":")
+        owner, _, name = where.strip().rpartition(".")
+        parts = [p for p in picked.parts if not owner or owner in (p.obj.Name, p.obj.Label)]
+        kind, number = name.rstrip("0123456789"), name[4:]
+        if kind != "Edge" or not number or not count.strip().isdigit() or not parts:
+            raise ValueError(f"EdgeCounts: expected lines like Edge3: 12, got {line!r}")
+        counts[f"Edge{parts[0].before['Edge'] + int(number)}"] = int(count)
+    return counts
 
 
 def _plain(value: Any) -> Any:
