@@ -307,7 +307,8 @@ std::optional<FaceMesh> general_quads(const FaceSurface &surface,
             ++mends;
         }
         if (kept.empty() || made->quality > kept.front().quality) {
-            kept.assign(1, std::move(*made));
+            kept.clear();
+            kept.push_back(std::move(*made));
         }
         if (kept.front().quality > (tried > many ? fair : good)) {
             break;

@@ -101,7 +101,7 @@ def test_patches_over_a_skin_follow_a_changed_dimension():
         assert new.distToShape(Part.Vertex(*point))[0] < 1e-7 * new.BoundBox.DiagonalLength
 
 
-def test_another_topology_is_refused_by_name():
+def test_patches_are_not_put_onto_another_topology():
     model = nmgs.fit(drilled_plate(40, 4), entities=["Face1"])
     with pytest.raises(nmgs.GeometryError, match="10 vertices.*has 8"):
         nmgs.refit(model, Part.makeBox(1, 2, 3))
