@@ -357,6 +357,9 @@ TetHexas tets_to_hexas(const CadShape &shape, const Skin &skin, std::span<const 
     const auto folded_ones = std::count_if(
         layout.hexas.begin() + static_cast<std::ptrdiff_t>(first_hexa), layout.hexas.end(),
         [&](const auto &hexa) { return corners_of(layout, hexa) < sound; });
+    if (folded_ones < many) {
+        raise(shape, layout, first_hexa, 0.1, 0.2, true, part_of(progress, 0.45, 0.5));
+    }
     std::vector<CadEntity> on = layout.on;
     for (int turn = 0; turn < 2 && folded_ones < many; ++turn) {
         polish(shape, layout, first_hexa, on,
