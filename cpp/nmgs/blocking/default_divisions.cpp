@@ -240,7 +240,8 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     Divisions result = within();
     constexpr int rounds = 4;
     constexpr double at_cusps = 1.4; // times the error: there are no more elements than must be
-    for (int round = 0; round < rounds && model.dimension == 3; ++round) {
+    const bool by_volume = model.dimension == 3 && std::isfinite(options.volume_error);
+    for (int round = 0; round < rounds && by_volume; ++round) {
         std::vector<Volumes> all(parts);
         std::vector<double> off(model.size(), 0);
         std::vector<double> worst(parts, 0);
