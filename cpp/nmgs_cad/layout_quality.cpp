@@ -68,22 +68,26 @@ LayoutQuality layout_quality(const CadShape &shape, const Layout &layout, std::s
         LayoutQuality result;
         result.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
         if (all.size() > 0) {
-            result.worst = *std::min_element(all.begin(), all.end());
-            result.avoidable = 1;
+            result.worst = result.avoidable = 1;
         }
-        // Straight corners come to little more than 0.2 (see cusp.h).
+        // Smoothing takes tips that are nearly good to 0.2; no straight corner comes to much more
+        // (see cusp.h).
+        constexpr double nearly = 0.15;
+        constexpr double smoothed = 0.203;
         constexpr double straight = 0.25;
         std::size_t cell = 0;
         for (std::size_t b = 0; b < blocks.model.size(); ++b) {
             const auto &g = blocks.model.divisions[b];
+            double least = tip[b] == Tip::straight ? straight : 1;
             for (const std::size_t end = cell + at(g[0] * g[1] * g[2]); cell < end; ++cell) {
-                if (tip[b] != Tip::knife) {
-                    result.avoidable = std::min(result.avoidable, all[cell]);
-                }
+                least = std::min(least, all[cell]);
             }
-            if (tip[b] == Tip::straight) {
-                result.avoidable = std::min(result.avoidable, straight);
-                result.worst = std::min(result.worst, straight);
+            if (tip[b] != Tip::none && least > nearly) {
+                least = std::max(least, smoothed);
+            }
+            result.worst = std::min(result.worst, least);
+            if (tip[b] != Tip::knife) {
+                result.avoidable = std::min(result.avoidable, least);
             }
         }
         return result;

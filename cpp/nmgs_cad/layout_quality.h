@@ -16,7 +16,7 @@ struct LayoutQuality {
 
     // Whether nothing better can be hoped for: at knife edges it is as the CAD's angles let it be.
     [[nodiscard]] bool reaches(double good) const {
-        constexpr double at_knives = 0.15; // smoothing makes it 0.2
+        constexpr double at_knives = 0.2;
         return avoidable >= good && worst >= std::min(good, at_knives);
     }
 };

@@ -11,6 +11,7 @@
 #include "nmgs_cad/split_blocks.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace nmgs::cad {
@@ -82,6 +83,7 @@ CadBlocks split_tips(const CadShape &shape, CadBlocks blocks, double size, const
     const Topology topology = find_topology(blocks.model);
     const Chains chains = find_chains(blocks.model, topology);
     DefaultDivisions options;
+    options.volume_error = std::numeric_limits<double>::infinity(); // dear, and of no help here
     options.part.assign(n, 0);
     options.structured.assign(blocks.report.size() + 1, 1);
     for (std::size_t e = 0; e < blocks.report.size(); ++e) {

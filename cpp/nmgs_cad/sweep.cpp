@@ -85,17 +85,16 @@ bool fill_sweep(const CadShape &shape, int solid, Layout &layout, const LayoutOp
                 Refusal &refusal, const Progress &progress) {
     refusal = {"no two of its plane faces are parallel", {entity_name(3, solid)}};
     Directions found = directions(shape, solid);
-    constexpr double good = 0.2; // a sweep that is worse may be better in another direction
+    constexpr double good = 0.1; // a sweep that is worse may be better in another direction
     std::optional<Layout> best;
     double quality = 0;
     // Whether a sweep is good enough; the best one is kept.
     const auto attempt = [&](Refusal &why, const auto &fill) {
         Layout trial = layout;
-        const auto reached =
-            fill_finer(shape, solid, trial, options, why, progress,
-                       [&](Layout &finer, const LayoutOptions &how, Refusal &no) {
-                           return fill(finer, how, no);
-                       });
+        const auto reached = fill_finer(shape, solid, trial, options, why, progress,
+                                        [&](Layout &finer, const LayoutOptions &how, Refusal &no) {
+                                            return fill(finer, how, no);
+                                        });
         if (reached && reached->worst > quality) {
             quality = reached->worst;
             best = std::move(trial);

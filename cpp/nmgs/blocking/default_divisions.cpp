@@ -250,7 +250,8 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
     Divisions result = within();
     constexpr int rounds = 4;
     constexpr double at_cusps = 1.4; // times the error: there are no more elements than must be
-    for (int round = 0; round < rounds; ++round) {
+    const bool by_volume = std::isfinite(options.volume_error);
+    for (int round = 0; round < rounds && by_volume; ++round) {
         std::vector<Volumes> all(parts);
         std::vector<double> off(model.size(), 0);
         std::vector<double> worst(parts, 0);
@@ -269,7 +270,10 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
             const auto chain = at(chains.chain[i]);
             const double accepted =
                 (needs.single[chain] != 0 ? at_cusps : 1) * options.volume_error;
-            if (error > accepted && off[i / n] > 0.1 * worst[p] && needs.angles[chain] > 0.05) {
+            // A patch with a cusp would stay whole, were it not for the others of its chain.
+            const bool tip = n == 2 && ends_in_cusp(model.element(i / n));
+            if (error > accepted && off[i / n] > 0.1 * worst[p] && needs.angles[chain] > 0.05 &&
+                !tip) {
                 finer[chain] =
                     std::max(finer[chain], std::clamp(std::sqrt(error / accepted), 1.1, 3.0));
             }
@@ -279,9 +283,7 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
             if (finer[chain] > 1) {
                 const auto now = static_cast<double>(result[i / n][i % n]);
                 needs.angles[chain] = finer[chain] * std::max(needs.angles[chain], now);
-                // The tips of patches stay whole for longer: they are a small part of the area.
-                needs.few[chain] = n == 3 ? finer[chain] * std::max(needs.few[chain], now)
-                                          : needs.angles[chain] / bent;
+                needs.few[chain] = finer[chain] * std::max(needs.few[chain], now);
                 finer[chain] = 1;
             }
         }

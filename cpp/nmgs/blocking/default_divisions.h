@@ -15,8 +15,8 @@ struct DefaultDivisions {
     double angle = 10 * std::numbers::pi / 180; // turn along an element, in radians
     // Along both directions of a face that turns in both: its volume error adds up.
     double both_angle = 7.2 * std::numbers::pi / 180;
-    double volume_error = 0.006; // of linear blocks against quadratic ones, of each part; of
-                                 // patches the area's
+    // Of linear blocks against quadratic ones, of each part; of patches the area's; infinite: any.
+    double volume_error = 0.006;
     std::int64_t most_cells = 200'000;
     // From so many blocks on the size does not count, and the angles of blocks that come from no
     // structured strategy are so many times larger.
@@ -34,8 +34,8 @@ struct DefaultDivisions {
 // more than is asked for. Where that takes more than most_cells, size and angle grow until it does
 // not, or every block has one division. Patches that end in a cusp and blocks of structured parts
 // whose corners divisions would spoil (see cusp.h) keep one unless others of their chains turn too
-// much. Raises ArgumentError for a size that is not positive, and for parts that are not one a block
-// or have no entry in `structured`.
+// much. Raises ArgumentError for a size that is not positive, and for parts that are not one a
+// block or have no entry in `structured`.
 std::vector<std::array<std::int32_t, 3>> default_divisions(const BlockModel &model,
                                                            const Topology &topology, double size,
                                                            const DefaultDivisions &options = {});
