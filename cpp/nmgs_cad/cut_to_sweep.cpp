@@ -27,7 +27,8 @@ namespace nmgs::cad {
 namespace {
 
 constexpr int most_pieces = 80;
-constexpr int most_fillings = 5;
+constexpr int most_fillings = 4;
+constexpr int few_fillings = 2;   // where the solid itself should be swept, and cannot be
 constexpr double resisting = 0.9; // the cost of a piece that should be swept and cannot be
 constexpr int most_states = 60;
 constexpr std::size_t most_choices = 6; // of the cuts of one piece
@@ -133,19 +134,18 @@ bool Search::fill(const State &state, Layout &layout, int &culprit) {
     ++fillings;
     FillPiecesOptions how;
     how.layout = options;
-    constexpr double coarse[] = {4.0};
+    constexpr double plain[] = {4.0, 0.0};
     constexpr double as_they_come[] = {0.0};
-    constexpr double both[] = {0.0, 4.0};
     const auto fill_with = [&](const Pieces &pieces, std::span<const double> segments) {
         how.segments = segments;
         const auto of_pieces = fill_pieces(pieces, how, culprit, refusal, progress);
         return of_pieces && join(shape, pieces, *of_pieces, layout, refusal);
     };
-    if (fill_with(state.pieces, coarse)) {
+    if (fill_with(state.pieces, plain)) {
         return true;
     }
     const auto drawn = imprint_sweeps(shape, state.pieces);
-    return drawn ? fill_with(*drawn, both) : fill_with(state.pieces, as_they_come);
+    return drawn && fill_with(*drawn, as_they_come);
 }
 
 // Fills a state that has nothing in the way, or adds the cuts of the piece that has most.
@@ -225,10 +225,11 @@ bool Search::run(Layout &layout) {
         refusal = {"it needs no cut to be swept", {}};
         return false;
     }
+    const int most = known.front()->cost == resisting ? few_fillings : most_fillings;
     if (expand(start, layout)) {
         return true;
     }
-    while (!choices.empty() && work > 0 && fillings < most_fillings && states < most_states &&
+    while (!choices.empty() && work > 0 && fillings < most && states < most_states &&
            !late(options)) {
         poll(progress, static_cast<double>(states) / most_states);
         const auto best =
