@@ -15,7 +15,6 @@ bool size_cusps(const CadShape &shape, int face, const FaceLoops &loops, EdgeSiz
 
 // Sizes of a face with cusps as its final elements: what goes through the quad in a tip is not
 // divided any further. longest: of a segment; turn: along it, in radians.
-void size_as_elements(const FaceLoops &loops, EdgeSizes &sizes, double longest,
-                      double turn = 0.18);
+void size_as_elements(const FaceLoops &loops, EdgeSizes &sizes, double longest, double turn = 0.18);
 
 } // namespace nmgs::cad

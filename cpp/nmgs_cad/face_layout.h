@@ -19,9 +19,9 @@ namespace nmgs::cad {
 bool layout_face(const CadShape &shape, int face, Layout &layout, const LayoutOptions &options,
                  Refusal &refusal, const Progress &progress = {});
 
-// Divides an edge into equal segments, as many as somebody asked for, before its faces are laid out.
-// Raises ArgumentError for an edge that the shape does not have or that has no length, and for a
-// count that is too small: 1, for a closed edge 3.
+// Divides an edge into equal segments, as many as somebody asked for, before its faces are laid
+// out. Raises ArgumentError for an edge that the shape does not have or that has no length, and for
+// a count that is too small: 1, for a closed edge 3.
 void divide_evenly(const CadShape &shape, int edge, int count, Layout &layout);
 
 // Covers several faces: numbers of segments are chosen for all of them first, so that as many faces

@@ -37,7 +37,7 @@ struct SkinOptions {
     double size = 0;       // longest edge; 0: a sixth of the shape's diagonal
     double angle = 0.45;   // turn of the surface along an edge, radians; small features get twice
     double grading = 0.7;  // growth of the wanted length with distance
-    double stretch = 2.5;    // how much longer edges may be along than across the curvature
+    double stretch = 2.5;  // how much longer edges may be along than across the curvature
     bool proximity = true; // finer where faces are near each other
     // Edges that are laid out here keep exactly these points.
     const Layout *fixed = nullptr;

@@ -22,8 +22,8 @@ bool ends_in_cusp(std::span<const Vec3> nodes);
 // division leaves as it should be.
 std::array<bool, 3> spoilt_by_division(std::span<const Vec3, 20> nodes);
 
-// Whether a 20-node block has such a corner at which sides leave in the same direction: that angle is
-// the shape's own. Where they leave in opposite ones, other blocks may have no such corner.
+// Whether a 20-node block has such a corner at which sides leave in the same direction: that angle
+// is the shape's own. Where they leave in opposite ones, other blocks may have no such corner.
 bool ends_in_knife(std::span<const Vec3, 20> nodes);
 
 // The point of a block's edge from a corner (0 to 7) along a direction, at a share of its length.
