@@ -46,6 +46,7 @@ std::optional<Layout> fill_by_strategies(const CutState &state, const LayoutOpti
     }
     std::sort(hardest.begin(), hardest.end());
     std::vector<int> doubtful;
+    doubtful.reserve(hardest.size());
     for (const auto &[weight, solid] : hardest) {
         doubtful.push_back(solid);
     }

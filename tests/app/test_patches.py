@@ -101,6 +101,7 @@ def test_the_layout_stays_when_a_dimension_changes(document):
     obj = patches.make(document)
     obj.Source = [(cut, tuple(faces))]
     obj.Size = 4
+    obj.KeepLayout = True
     document.recompute()
     before = obj.Proxy.model(obj)
     obj.Size = 0  # other divisions, the same layout
@@ -122,9 +123,33 @@ def test_the_layout_stays_when_a_dimension_changes(document):
     assert area == pytest.approx(cut.Shape.Area, rel=0.01)
 
 
+@pytest.mark.parametrize("keep", (False, True))
+def test_a_change_that_is_undone_leaves_no_trace(document, keep):
+    document.UndoMode = 1
+    ring = document.addObject("Part::Torus", "Ring")
+    document.recompute()
+    obj = patches.make(document)
+    obj.Source = [(ring, ("Face1",))]
+    obj.KeepLayout = keep
+    document.recompute()
+    before = np.array([tuple(node) for node in obj.Nodes])
+    for radius in (3, 4):
+        document.openTransaction("Change")
+        ring.Radius2 = radius
+        document.recompute()
+        document.commitTransaction()
+    document.undo()
+    document.undo()
+    ring.touch()
+    document.recompute()
+    after = np.array([tuple(node) for node in obj.Nodes])
+    assert np.allclose(before, after, rtol=0, atol=1e-9)
+
+
 def test_another_topology_is_laid_out_anew(document):
     plate, drill, cut = drilled_plate(document)
     obj = patches.make(document)
+    obj.KeepLayout = True
     top = max(range(len(cut.Shape.Faces)), key=lambda n: cut.Shape.Faces[n].CenterOfMass.z)
     obj.Source = [(cut, (f"Face{top + 1}",))]
     document.recompute()

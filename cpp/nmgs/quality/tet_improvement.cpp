@@ -567,6 +567,7 @@ bool Improver::fill_cavity(std::vector<std::int32_t> cavity) {
     of_.emplace_back();
     centres_.emplace_back();
     std::vector<Corners> fresh;
+    fresh.reserve(best_faces.size());
     for (const Face &f : best_faces) {
         fresh.push_back({point, f[0], f[1], f[2]});
     }

@@ -70,6 +70,14 @@ PROPERTIES = (
     ),
     (
         "App::PropertyBool",
+        "KeepLayout",
+        "Fit",
+        "Lay the last fit's blocks over the part again while only its dimensions change",
+        False,
+        0,
+    ),
+    (
+        "App::PropertyBool",
         "AutoDivisions",
         "Fit",
         "Divisions follow Size; switch off to set Divisions by hand",
@@ -130,8 +138,8 @@ class Blocking(DocumentObject):
     _model: Optional[nmgs.BlockModel] = None
     #: What the last fit started from, to find the document's names of what it says.
     _picked: Optional[sources.Picked] = None
-    #: What was asked of the last fit of this session, and what it gave: its layout is kept while
-    #: only dimensions change.
+    #: What was asked of the last fit of this session, and what it gave. With KeepLayout its layout
+    #: follows the part, always from there: a change that is undone leaves no trace.
     _last: Optional[Tuple[Any, nmgs.BlockModel]] = None
     #: nmgs.fit's report of this session's last fit.
     report: Sequence[Dict[str, Any]] = ()
@@ -197,13 +205,13 @@ class Blocking(DocumentObject):
             "counts": edge_counts(obj.EdgeCounts, picked),
         }
         size = obj.Size.Value or None
-        model = self._kept(picked.shape, size, asked)
+        model = self._kept(picked.shape, size, asked) if obj.KeepLayout else None
         if model is None:
             model = run(
                 lambda progress: nmgs.fit(picked.shape, size=size, progress=progress, **asked),
                 self.text,
             )
-        self._last = (asked, model.copy())
+            self._last = (asked, model.copy())
         if model.nodes.shape[1] != self.nodes_per_element:
             raise nmgs.GeometryError(
                 f"{obj.Label}: expected elements of {self.nodes_per_element} nodes, "
@@ -283,6 +291,7 @@ class Blocking(DocumentObject):
             "Tolerance",
             "Method",
             "EdgeCounts",
+            "KeepLayout",
             "Library",
             "Arguments",
             "AutoDivisions",

@@ -45,6 +45,7 @@ class BlockingPanel(Panel):
         form.method.addItems(METHODS)
         form.method.setCurrentText(obj.Method)
         form.reference.setText(obj.Reference)
+        form.keep_layout.setChecked(obj.KeepLayout)
         form.auto_divisions.setChecked(obj.AutoDivisions)
         self._fill_divisions()
         self._divisions_enabled(obj.AutoDivisions)
@@ -134,6 +135,7 @@ class BlockingPanel(Panel):
         if not form.auto_divisions.isChecked():
             obj.Divisions = self._divisions()
         obj.AutoDivisions = form.auto_divisions.isChecked()
+        obj.KeepLayout = form.keep_layout.isChecked()
         obj.Size = form.element_size.property("rawValue")
         obj.Tolerance = form.tolerance.property("rawValue")
         obj.Method = form.method.currentText()

@@ -41,6 +41,14 @@
         <translation>Wie Körper in Blöcke zerlegt werden</translation>
     </message>
     <message>
+        <source>Elements along edges of the part, a line each, as Edge3: 12 or Box.Edge3: 12</source>
+        <translation>Elemente entlang von Kanten des Bauteils, eine Zeile je Kante, wie Edge3: 12 oder Box.Edge3: 12</translation>
+    </message>
+    <message>
+        <source>Lay the last fit's blocks over the part again while only its dimensions change</source>
+        <translation>Legt die Blöcke der letzten Anpassung wieder über das Bauteil, solange sich nur seine Maße ändern</translation>
+    </message>
+    <message>
         <source>Divisions follow Size; switch off to set Divisions by hand</source>
         <translation>Die Teilungen folgen Size; ausschalten, um Divisions von Hand zu setzen</translation>
     </message>
@@ -1051,6 +1059,14 @@
     <message>
         <source>Takes these options, then proposes cuts into pieces that structured blocks fill</source>
         <translation>Übernimmt diese Einstellungen und schlägt dann Schnitte in Stücke vor, die strukturierte Blöcke füllen</translation>
+    </message>
+    <message>
+        <source>Lays the same blocks over the part again while only its dimensions change</source>
+        <translation>Legt dieselben Blöcke wieder über das Bauteil, solange sich nur seine Maße ändern</translation>
+    </message>
+    <message>
+        <source>Keep the layout when dimensions change</source>
+        <translation>Aufteilung bei geänderten Maßen behalten</translation>
     </message>
     <message>
         <source>Divisions follow the element size</source>

@@ -41,6 +41,14 @@
         <translation>Katıların bloklara nasıl ayrıldığı</translation>
     </message>
     <message>
+        <source>Elements along edges of the part, a line each, as Edge3: 12 or Box.Edge3: 12</source>
+        <translation>Parçanın kenarları boyunca eleman sayıları, her satırda bir kenar: Edge3: 12 ya da Box.Edge3: 12</translation>
+    </message>
+    <message>
+        <source>Lay the last fit's blocks over the part again while only its dimensions change</source>
+        <translation>Yalnızca ölçüler değiştikçe son uydurmanın bloklarını parçaya yeniden oturtur</translation>
+    </message>
+    <message>
         <source>Divisions follow Size; switch off to set Divisions by hand</source>
         <translation>Bölünmeler Size değerine uyar; Divisions'ı elle ayarlamak için kapatın</translation>
     </message>
@@ -1051,6 +1059,14 @@
     <message>
         <source>Takes these options, then proposes cuts into pieces that structured blocks fill</source>
         <translation>Bu seçenekleri alır, ardından yapılandırılmış blokların dolduracağı parçalara kesimler önerir</translation>
+    </message>
+    <message>
+        <source>Lays the same blocks over the part again while only its dimensions change</source>
+        <translation>Yalnızca ölçüler değiştikçe aynı blokları parçaya yeniden oturtur</translation>
+    </message>
+    <message>
+        <source>Keep the layout when dimensions change</source>
+        <translation>Ölçüler değişince yerleşimi koru</translation>
     </message>
     <message>
         <source>Divisions follow the element size</source>
