@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nmgs/quality/hexas_of_tet.h"
 #include "nmgs/quality/tet_improvement.h"
 
 #include "nmgs/support/ascending.h"

@@ -37,13 +37,8 @@ struct TetImprovementOptions {
     long work = 0;     // tetrahedra that may be measured; 0: by their number
 };
 
-// Least scaled Jacobian of the four hexahedra of a tetrahedron: corners, middles of the edges 01,
-// 02, 03, 12, 13, 23, points on the faces opposite each corner.
-double hexas_quality(const std::array<Vec3, 4> &corners, const std::array<Vec3, 6> &middles,
-                     const std::array<Vec3, 4> &centres);
-
-// Least hexas_quality() of the mesh after it. Points that go stay in the list, in no tetrahedron;
-// new ones are appended. Never makes the worst worse. Raises Cancelled.
+// Least hexas_quality() (hexas_of_tet.h) of the mesh after it. Points that go stay in the list, in
+// no tetrahedron; new ones are appended. Never makes the worst worse. Raises Cancelled.
 double improve_tets(TetMesh &mesh, const TetImprovementOptions &options = {},
                     const Progress &progress = {});
 
