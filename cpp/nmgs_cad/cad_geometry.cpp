@@ -3,6 +3,7 @@
 
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
+#include <Standard_Failure.hxx>
 
 #include <cmath>
 #include <utility>
@@ -60,7 +61,12 @@ double CadGeometryPool::diagonal(const TopoDS_Shape &shape) {
     const std::scoped_lock lock(mutex_);
     if (!diagonal_) {
         Bnd_Box box;
-        BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+        try {
+            BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+        } catch (const Standard_Failure &) { // it has no box for some faces; the other is larger
+            box = Bnd_Box();
+            BRepBndLib::Add(shape, box, Standard_False);
+        }
         diagonal_ = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
     }
     return *diagonal_;
