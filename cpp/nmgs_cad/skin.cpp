@@ -254,12 +254,6 @@ void SkinBuilder::passes(int count, const Progress &progress, double from, doubl
 bool SkinBuilder::find_turns() {
     constexpr double most_area = 0.05;
     constexpr double most_volume = 0.035;
-    constexpr std::ptrdiff_t many = 60'000;
-    const auto alive = std::count_if(mesh_->triangles.begin(), mesh_->triangles.end(),
-                                     [](const auto &t) { return t.face != 0; });
-    if (alive > many) {
-        return false;
-    }
     // The error falls with the square of the turn.
     const auto factor = [](double error, double most) {
         const double wanted = 0.7 * most;
@@ -311,6 +305,15 @@ bool SkinBuilder::find_turns() {
                 }
             }
         }
+    }
+    // The number of triangles grows with the square as well.
+    constexpr double many = 30'000;
+    double expected = 0;
+    for (const auto &t : mesh_->triangles) {
+        expected += t.face != 0 ? 1 / (turn[at(t.face)] * turn[at(t.face)]) : 0;
+    }
+    if (expected > many) {
+        return false;
     }
     bool any = false;
     std::vector<double> of_edge(at(shape_.edges.Extent()) + 1, 1);

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nmgs_cad/without_locations.h"
 
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <ShapeUpgrade_RemoveLocations.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <array>
 
 namespace nmgs::cad {
 namespace {
@@ -52,6 +60,83 @@ bool numbered_alike(const CadShape &a, const CadShape &b) {
     return true;
 }
 
+bool near(const gp_Pnt &p, const gp_Pnt &q, double tolerance) {
+    return p.Distance(q) <= std::max(tolerance, Precision::Confusion());
+}
+
+bool same_edge(const TopoDS_Edge &p, const TopoDS_Edge &q) {
+    if (BRep_Tool::Degenerated(p) || BRep_Tool::Degenerated(q)) {
+        return BRep_Tool::Degenerated(p) == BRep_Tool::Degenerated(q);
+    }
+    const BRepAdaptor_Curve a(p);
+    const BRepAdaptor_Curve b(q);
+    const auto at_part = [](const BRepAdaptor_Curve &c, double t) {
+        return c.Value((1 - t) * c.FirstParameter() + t * c.LastParameter());
+    };
+    constexpr std::array<double, 3> parts{0.25, 0.5, 0.75};
+    return std::all_of(parts.begin(), parts.end(), [&](double t) {
+        return near(at_part(a, t), at_part(b, t), BRep_Tool::Tolerance(p));
+    });
+}
+
+// The middle of the face's parameters, and of each of its edges as the face has it.
+bool same_face(const TopoDS_Face &p, const TopoDS_Face &q) {
+    const BRepAdaptor_Surface a(p, Standard_False);
+    const BRepAdaptor_Surface b(q, Standard_False);
+    std::array<double, 4> r{};
+    std::array<double, 4> s{};
+    BRepTools::UVBounds(p, r[0], r[1], r[2], r[3]);
+    BRepTools::UVBounds(q, s[0], s[1], s[2], s[3]);
+    const double size = a.Value(r[0], r[2]).Distance(a.Value(r[1], r[3]));
+    const double tolerance = std::max(BRep_Tool::Tolerance(p), 1e-7 * size);
+    if (!near(a.Value((r[0] + r[1]) / 2, (r[2] + r[3]) / 2),
+              b.Value((s[0] + s[1]) / 2, (s[2] + s[3]) / 2), tolerance)) {
+        return false;
+    }
+    TopExp_Explorer x(p, TopAbs_EDGE);
+    TopExp_Explorer y(q, TopAbs_EDGE);
+    for (; x.More() && y.More(); x.Next(), y.Next()) {
+        const BRepAdaptor_Curve c(TopoDS::Edge(x.Current()), p);
+        const BRepAdaptor_Curve d(TopoDS::Edge(y.Current()), q);
+        if (x.Current().Orientation() != y.Current().Orientation() ||
+            !near(c.Value((c.FirstParameter() + c.LastParameter()) / 2),
+                  d.Value((d.FirstParameter() + d.LastParameter()) / 2),
+                  std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(x.Current()))))) {
+            return false;
+        }
+    }
+    return !x.More() && !y.More();
+}
+
+// Whether the shapes, numbered alike, are the same in space: of some compounds OpenCASCADE's tool
+// makes faces that are elsewhere, or have no box.
+bool same_in_space(const CadShape &a, const CadShape &b) {
+    for (int s = 1; s <= a.solids.Extent(); ++s) {
+        TopExp_Explorer p(a.solid(s), TopAbs_FACE);
+        TopExp_Explorer q(b.solid(s), TopAbs_FACE);
+        for (; p.More() && q.More(); p.Next(), q.Next()) {
+            if (a.faces.FindIndex(p.Current()) != b.faces.FindIndex(q.Current()) ||
+                p.Current().Orientation() != q.Current().Orientation()) {
+                return false;
+            }
+        }
+        if (p.More() || q.More()) {
+            return false;
+        }
+    }
+    for (int e = 1; e <= a.edges.Extent(); ++e) {
+        if (!same_edge(a.edge(e), b.edge(e))) {
+            return false;
+        }
+    }
+    for (int f = 1; f <= a.faces.Extent(); ++f) {
+        if (!same_face(a.face(f), b.face(f))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 CadShape without_locations(const CadShape &shape) {
@@ -60,7 +145,7 @@ CadShape without_locations(const CadShape &shape) {
         remover.SetRemoveLevel(TopAbs_COMPOUND);
         if (remover.Remove(shape.shape)) {
             CadShape result = make_shape(remover.GetResult());
-            if (numbered_alike(shape, result)) {
+            if (numbered_alike(shape, result) && same_in_space(shape, result)) {
                 return result;
             }
         }

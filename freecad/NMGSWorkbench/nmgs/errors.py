@@ -38,11 +38,20 @@ class BlockingError(Error):
 
 class TetGenError(Error):
     """TetGen failed. code: its exit code; facets: 0-based facets to blame; log: its own words;
-    outlines: (n, 3) points of the polygons of the first of these facets."""
+    outlines: (n, 3) points of the polygons of the first of these facets; timed_out: it did not end
+    within its time."""
 
-    def __init__(self, message: str, code: int = 0, facets: Sequence[int] = (), log: str = ""):
+    def __init__(
+        self,
+        message: str,
+        code: int = 0,
+        facets: Sequence[int] = (),
+        log: str = "",
+        timed_out: bool = False,
+    ):
         super().__init__(message)
         self.code = code
+        self.timed_out = timed_out
         self.facets = list(facets)
         self.log = log
         self.outlines: List[Any] = []

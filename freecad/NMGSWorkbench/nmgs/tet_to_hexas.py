@@ -34,8 +34,8 @@ MOST_TRIANGLES = 30_000
 PATIENCE = 20.0
 #: Scaled Jacobian of the mesh from which blocks are left as they are.
 SOUND = 0.001
-#: Seconds for one run of TetGen.
-TIMEOUT = 60.0
+#: Seconds for one run of TetGen, which takes one or two and on some skins never ends.
+TIMEOUT = 10.0
 
 Progress = Optional[Callable[[float], Any]]
 #: Blocks that a mesh may divide.
@@ -74,10 +74,11 @@ def fill(
     faces = {n: kernel.solid_faces(shape, n) for n in solids}
     best: Optional[_Found] = None
     start = time.monotonic()
+    tried = list(SWITCHES)
     for attempt in ATTEMPTS:
         if (best is not None and best.sound) or time.monotonic() - start > 2 * PATIENCE:
             break
-        found = _best_round(shape, faces, attempt, start, progress)
+        found = _best_round(shape, faces, attempt, tried, start, progress)
         if attempt == ATTEMPTS[0]:
             start = time.monotonic()
         if isinstance(found, _Found) and (best is None or found.rank > best.rank):
@@ -92,6 +93,7 @@ def _best_round(
     shape: Any,
     faces: Dict[int, List[Tuple[int, bool]]],
     attempt: Tuple[float, float, bool, int],
+    tried: List[str],
     start: float,
     progress: Progress,
 ) -> Union[_Found, List[str]]:
@@ -107,6 +109,7 @@ def _best_round(
     vain = 0  # rounds that made nothing better
     where = np.empty((0, 5))
     skin = builder.skin()
+    begun = len(skin.triangles)
     for round_ in range(rounds):
         if round_:
             enough = best is not None and best.sound
@@ -116,10 +119,12 @@ def _best_round(
                 break
             builder.refine(where, _share(progress, round_, 0))
             skin = builder.skin()
+            if best is None and not split and len(skin.triangles) > 2 * begun:
+                break  # the skin of the next attempt is rather to be filled
         tets: List[Tuple[int, np.ndarray, np.ndarray]] = []
         finer: List[np.ndarray] = []
         for n, own in faces.items():
-            inner, cells, trouble = _tetrahedra(shape, skin, n, own, progress)
+            inner, cells, trouble = _tetrahedra(shape, skin, n, own, tried, progress)
             tets.append((n, inner, cells))
             finer.append(trouble)
         where = np.concatenate(finer)
@@ -196,10 +201,17 @@ def _share(progress: Progress, round_: int, part: int) -> Progress:
 
 
 def _tetrahedra(
-    shape: Any, skin: Any, solid: int, faces: Sequence[Tuple[int, bool]], progress: Progress
+    shape: Any,
+    skin: Any,
+    solid: int,
+    faces: Sequence[Tuple[int, bool]],
+    tried: List[str],
+    progress: Progress,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Inner points, tetrahedra (in the skin's numbers, then the inner points), and where the skin
-    must be finer (x, y, z, radius, size) because TetGen had to put points into it."""
+    must be finer (x, y, z, radius, size) because TetGen had to put points into it.
+
+    tried: switches, in the order in which they are tried; those that do not end are taken out."""
     own = np.isin(skin.faces, [face for face, _ in faces])
     bounding = np.isin(skin.faces, [face for face, bounds in faces if bounds])
     triangles = skin.triangles[own]
@@ -219,11 +231,13 @@ def _tetrahedra(
     last: Optional[TetGenError] = None
     nothing = np.empty((0, 3)), np.empty((0, 4), np.int32)
     chosen = None
-    for switches in SWITCHES:
+    for switches in list(tried):
         try:
             mesh = tetrahedralize(plc, switches, TIMEOUT, progress)
         except TetGenError as error:
             last = error
+            if error.timed_out and len(tried) > 1:
+                tried.remove(switches)  # nor will it end on a finer skin
             continue
         if len(mesh.cells["tetra"]) > MOST * len(local) + 1000 and switches != SWITCHES[-1]:
             continue

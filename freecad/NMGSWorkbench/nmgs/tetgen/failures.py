@@ -54,7 +54,8 @@ def error_of(
 ) -> TetGenError:
     """The error for an answer that is not whole. Raises Cancelled."""
     if outcome.timed_out:
-        return TetGenError(f"TetGen did not finish within {timeout:g} s", log=outcome.log)
+        text = f"TetGen did not finish within {timeout:g} s"
+        return TetGenError(text, log=outcome.log, timed_out=True)
     text, code = _words(outcome)
     if code in (MEMORY, PROTOCOL) or outcome.text and code == INPUT:
         return TetGenError("TetGen: " + text, code=code, log=outcome.log)
