@@ -48,9 +48,8 @@ std::vector<double> turned(const std::vector<double> &cuts) {
 
 // The edges of a block where they lie on the CAD: quadratics miss its tangents.
 EdgePlace edges_on_cad(const CadBlocks &blocks, std::size_t b, CadGeometry &geometry) {
-    const auto nodes = blocks.model.element(b).first<20>();
-    return [&blocks, b, nodes, &geometry, quadratic = edges_of(nodes)](std::size_t c, std::size_t d,
-                                                                       double f) {
+    return [&blocks, b, &geometry, quadratic = edges_of(blocks.model.element(b).first<20>())](
+               std::size_t c, std::size_t d, double f) {
         std::array<int, 3> digits{};
         for (std::size_t i = 0; i < 3; ++i) {
             digits[i] = i == d ? 1 : static_cast<int>(hexa20::natural[c][i]) + 1;
