@@ -482,7 +482,9 @@ def table(kind, results):
 
 
 def share(count, of):
-    return f"{count} ({100 * count / max(len(of), 1):.0f} %)"
+    """Rounded down: all but one of many are not 100 %."""
+    percent = 1000 * count // max(len(of), 1) / 10
+    return f"{count} ({percent:g} %)"
 
 
 if __name__ == "__main__":
