@@ -128,10 +128,8 @@ void expect_sound(const TetMesh &mesh, double whole) {
         }
     }
     EXPECT_NEAR(sum, whole, 1e-9 * whole);
-    std::size_t outer = 0;
     for (const auto &[f, n] : uses) {
         EXPECT_LE(n, 2);
-        outer += n == 1 ? 1 : 0;
         EXPECT_TRUE(n == 2 || mesh.centres.contains(f));
     }
     for (const auto &[f, centre] : mesh.centres) {
