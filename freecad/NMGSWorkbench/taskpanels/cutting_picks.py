@@ -8,15 +8,14 @@ from typing import Any, List, Tuple
 import FreeCADGui
 
 
+def _faces(pick: Any) -> List[str]:
+    return [name for name in pick.SubElementNames if name.startswith("Face")]
+
+
 def faces_of(obj: Any) -> List[str]:
     """The names of obj's picked faces."""
-    return [
-        name
-        for pick in FreeCADGui.Selection.getSelectionEx()
-        if pick.Object == obj
-        for name in pick.SubElementNames
-        if name.startswith("Face")
-    ]
+    picks = FreeCADGui.Selection.getSelectionEx()
+    return [name for pick in picks if pick.Object == obj for name in _faces(pick)]
 
 
 def cutting_picks() -> List[Tuple[Any, str]]:
@@ -24,7 +23,7 @@ def cutting_picks() -> List[Tuple[Any, str]]:
     plane or has faces and no solid."""
     tools: List[Tuple[Any, str]] = []
     for pick in FreeCADGui.Selection.getSelectionEx():
-        tools += [(pick.Object, name) for name in faces_of(pick.Object)]
+        tools += [(pick.Object, name) for name in _faces(pick)]
         if pick.SubElementNames:
             continue
         shape = getattr(pick.Object, "Shape", None)
