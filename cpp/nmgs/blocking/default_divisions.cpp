@@ -271,9 +271,8 @@ Divisions default_divisions(const BlockModel &model, const Topology &topology, d
             const double accepted =
                 (needs.single[chain] != 0 ? at_cusps : 1) * options.volume_error;
             // A patch with a cusp would stay whole, were it not for the others of its chain.
-            const bool tip = n == 2 && ends_in_cusp(model.element(i / n));
             if (error > accepted && off[i / n] > 0.1 * worst[p] && needs.angles[chain] > 0.05 &&
-                !tip) {
+                !(n == 2 && ends_in_cusp(model.element(i / n)))) {
                 finer[chain] =
                     std::max(finer[chain], std::clamp(std::sqrt(error / accepted), 1.1, 3.0));
             }
