@@ -92,25 +92,42 @@ def open_panel(obj):
     assert FreeCADGui.Control.activeDialog()
 
 
+def _found(find, what):
+    """What find() returns once it is not empty: FreeCAD 1.1 shows a panel some time after it is
+    opened."""
+    end = time.monotonic() + 5.0
+    while not (found := find()):
+        assert time.monotonic() < end, f"no {what}"
+        process_events(20)
+    return found
+
+
 def widget(kind, name):
     """A widget of the open panel."""
-    (found,) = [
-        w
-        for w in FreeCADGui.getMainWindow().findChildren(kind, name)
-        if w.isVisible() and w.window() is FreeCADGui.getMainWindow()
-    ]
+    window = FreeCADGui.getMainWindow()
+    (found,) = _found(
+        lambda: [
+            w for w in window.findChildren(kind, name) if w.isVisible() and w.window() is window
+        ],
+        name,
+    )
     return found
 
 
 def press(text):
     """A click on a button of the open panel."""
-    for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
-        for button in box.buttons() if box.isVisible() else ():
-            if button.text().replace("&", "") == text:
-                button.click()
-                process_events()
-                return
-    raise AssertionError(f"no button {text}")
+    boxes = FreeCADGui.getMainWindow().findChildren
+    button = _found(
+        lambda: [
+            button
+            for box in boxes(QtGui.QDialogButtonBox)
+            for button in (box.buttons() if box.isVisible() else ())
+            if button.text().replace("&", "") == text
+        ],
+        f"button {text}",
+    )[0]
+    button.click()
+    process_events()
 
 
 def run(command: str) -> None:
